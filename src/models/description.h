@@ -1,0 +1,55 @@
+// What a model says of itself. One table per model, above its formula; validation, ListModels, `gonio models`, the
+// documentation and the fitter's bounds all read it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace gonio {
+
+enum class Role : std::uint8_t {
+  diffuse,   // may stand alone and as the diffuse base of a sum
+  specular,  // may stand alone and as a specular lobe of a sum
+  measured,  // stands alone: a table
+};
+
+enum class Scale : std::uint8_t { linear, logarithmic };
+
+enum class Kind : std::uint8_t {
+  number,  // one number for all channels
+  colour,  // one number, or one per channel
+  word,    // one of `words`
+};
+
+struct Parameter {
+  std::string_view name;
+  std::string_view meaning;
+  std::string_view unit;  // "1" for a pure number, "rad" for an angle
+  double lower = 0;       // what evaluation accepts, both ends included
+  double upper = 1;
+  double start = 0;  // taken when the parameter is not given; a fit starts here
+  Scale scale = Scale::linear;
+  Kind kind = Kind::number;
+  std::span<const std::string_view> words = {};  // the default first; for Kind::word only
+};
+
+// |f - truth| <= relative * truth wherever truth > above, truth being the formula in exact arithmetic at the exactly
+// normalised input directions. `note` says where that does not hold, or in which sense it does; empty if it simply holds.
+struct ErrorBound {
+  double relative = 0;
+  double above = 1e-30;
+  std::string_view note = {};
+};
+
+struct ModelDescription {
+  std::string_view name;
+  std::string_view summary;  // one line
+  std::string_view source;   // paper and equation
+  Role role = Role::specular;
+  std::span<const Parameter> parameters;
+  ErrorBound fast;       // float32 in and out
+  ErrorBound reference;  // float64
+};
+
+}  // namespace gonio
