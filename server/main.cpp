@@ -20,7 +20,7 @@ struct Arguments {
   double lame_duck_seconds = 0.5;
   double grace_seconds = 5;
   std::string log_level = "info";
-  gonio::LogFormat log_format = gonio::LogFormat::text;
+  std::string log_format = "text";
 };
 
 void describe(CLI::App& app, Arguments& arguments) {
@@ -32,7 +32,8 @@ void describe(CLI::App& app, Arguments& arguments) {
          "Where to listen: host:port (0 takes a free port) or unix:/path; several are allowed")
       ->capture_default_str();
   app.add_option("-m,--materials", server.materials,
-                 "Serve every material .json and MERL .binary of this folder under its name");
+                 "Serve every material .json and MERL .binary of this folder under its name")
+      ->type_name("DIR");
   app.add_option("-t,--threads", server.threads, "Compute threads; 0: one per processor")
       ->capture_default_str();
   app.add_option("--max-queue", server.max_queued_jobs,
@@ -59,9 +60,8 @@ void describe(CLI::App& app, Arguments& arguments) {
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
       ->capture_default_str();
   app.add_option("--log-format", arguments.log_format, "text, or json: one object a line")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, gonio::LogFormat>{
-          {"text", gonio::LogFormat::text}, {"json", gonio::LogFormat::json}}))
-      ->default_str("text");
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
 }
 
 milliseconds to_milliseconds(double seconds) {
@@ -83,7 +83,9 @@ int serve(Arguments& arguments, const sigset_t& signals) {
   arguments.server.max_message_bytes = arguments.max_message_mb << 20;
   arguments.server.memory_quota_bytes = arguments.memory_quota_mb << 20;
   arguments.server.lame_duck = to_milliseconds(arguments.lame_duck_seconds);
-  arguments.server.logger = gonio::make_logger(arguments.log_level, arguments.log_format);
+  arguments.server.logger = gonio::make_logger(arguments.log_level, arguments.log_format == "json"
+                                                                        ? gonio::LogFormat::json
+                                                                        : gonio::LogFormat::text);
   gonio::capture_library_logs(*arguments.server.logger);
   auto server = gonio::Server::start(arguments.server);
   if (!server) {
