@@ -15,6 +15,9 @@ using Quad = __float128;
 inline long double root(long double x) { return std::sqrt(x); }
 inline long double power(long double x, long double y) { return std::pow(x, y); }
 inline long double exponential(long double x) { return std::exp(x); }
+inline double root(double x) { return std::sqrt(x); }
+inline double power(double x, double y) { return std::pow(x, y); }
+inline double exponential(double x) { return std::exp(x); }
 inline Quad root(Quad x) { return sqrtq(x); }
 inline Quad power(Quad x, Quad y) { return powq(x, y); }
 inline Quad exponential(Quad x) { return expq(x); }
