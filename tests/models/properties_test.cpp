@@ -67,7 +67,7 @@ struct Quadrature {
 };
 
 Quadrature quadrature_about(const std::array<double, 3>& fixed) {
-  constexpr int kSteps = 110;
+  constexpr int kSteps = 160;
   const double low = std::log(1e-7), step = (std::log(1e5) - low) / kSteps;
   Quadrature result;
   for (int i = 0; i < 4 * kSteps * kSteps; ++i) {
@@ -111,7 +111,7 @@ std::vector<double> albedos(const MaterialSpec& spec, const std::array<double, 3
 }
 
 constexpr std::array<double, 6> kElevations{90, 60, 30, 10, 2, 0.1};
-constexpr double kQuadratureError = 5e-3;
+constexpr double kQuadratureError = 2e-3;
 
 TEST(Quadrature, IntegratesAConstantAtEveryElevation) {
   for (const double elevation : kElevations) {
