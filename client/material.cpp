@@ -3,6 +3,7 @@
 #include <google/protobuf/util/json_util.h>
 
 #include "gonio/v1/material.pb.h"
+#include "wire/convert.h"
 
 namespace gonio::client {
 namespace {
@@ -56,15 +57,9 @@ Material Material::sum(const std::optional<Lobe>& diffuse, const std::vector<Lob
 }
 
 Result<Material> Material::from_json(std::string_view json) {
-  gonio::v1::Material message;
-  const auto status = pb::util::JsonStringToMessage({json.data(), json.size()}, &message);
-  if (!status.ok()) {
-    const std::string reason(status.message());
-    return Error{ErrorCode::invalid_argument, "the material's JSON cannot be read: " + reason,
-                 "material", std::string(json.substr(0, 200)),
-                 "JSON such as {\"model\": \"ggx\", \"parameters\": {\"alpha_x\": 0.2}}"};
-  }
-  return Material(message.SerializeAsString());
+  auto message = wire::material_from_json(json);
+  if (!message) return std::move(message).error();
+  return Material(message->SerializeAsString());
 }
 
 std::string Material::to_json() const {

@@ -13,6 +13,7 @@
 
 #include "base/result.h"
 #include "client/client.h"
+#include "gonio/v1/error.pb.h"
 
 namespace gonio::client {
 
