@@ -2,7 +2,7 @@
 //
 // One function per kind of model and precision loops over packets: geometry once, then every channel. There is no
 // remainder loop: callers pad, so that a pair's result cannot depend on where in a batch it stands.
-#include <type_traits>
+#include <array>
 
 #include "engine/constants.h"
 #include "engine/evaluate.h"
@@ -43,21 +43,28 @@ constexpr KernelSet kernel_set() {
   return {&analytic<Fast, Kind, float>, &analytic<Reference, Kind, float>, &analytic<Reference, Kind, double>};
 }
 
+// The sets of all kinds of all models, in the registry's order.
 template <class... Kinds, class... More>
-constexpr auto join(TypeList<Kinds...>, TypeList<More...>) { return TypeList<Kinds..., More...>{}; }
+auto concatenate(TypeList<Kinds...>, TypeList<More...>) -> TypeList<Kinds..., More...>;
+
+template <class Done, class Models>
+struct AllKinds;
+template <class Done>
+struct AllKinds<Done, TypeList<>> {
+  using Type = Done;
+};
+template <class Done, class Model, class... Models>
+struct AllKinds<Done, TypeList<Model, Models...>> {
+  using Joined = decltype(concatenate(Done{}, typename Model::Kinds{}));
+  using Type = typename AllKinds<Joined, TypeList<Models...>>::Type;
+};
 
 template <class... Kinds>
-struct Table {
-  static constexpr KernelSet kSets[] = {kernel_set<Kinds>()...};
-};
-template <class... Kinds>
-constexpr const KernelSet* table_of(TypeList<Kinds...>) { return Table<Kinds...>::kSets; }
-template <class... Kinds>
-constexpr const KernelSet* table_of_models(TypeList<Kinds...> done, TypeList<>) { return table_of(done); }
-template <class... Kinds, class Model, class... Models>
-constexpr const KernelSet* table_of_models(TypeList<Kinds...> done, TypeList<Model, Models...>) {
-  return table_of_models(join(done, typename Model::Kinds{}), TypeList<Models...>{});
+constexpr std::array<KernelSet, sizeof...(Kinds)> kernel_sets(TypeList<Kinds...>) {
+  return {kernel_set<Kinds>()...};
 }
+
+constexpr auto kAnalytic = kernel_sets(AllKinds<TypeList<>, AllModels>::Type{});
 
 template <class T>
 void split(const T* __restrict xyz, std::size_t n, T* __restrict x, T* __restrict y, T* __restrict z) {
@@ -89,7 +96,7 @@ void join_channels(const T* __restrict planar, std::size_t channel_stride, int c
 extern const KernelTable kKernels;
 const KernelTable kKernels{
     .width = raw::kWidth,
-    .analytic = table_of_models(TypeList<>{}, AllModels{}),
+    .analytic = kAnalytic.data(),
     .measured_linear = {&measured<Fast, true, float>, &measured<Reference, true, float>, &measured<Reference, true, double>},
     .measured_nearest = {&measured<Fast, false, float>, &measured<Reference, false, float>, &measured<Reference, false, double>},
     .layout32 = {&split<float>, &join_channels<float>},

@@ -2,4 +2,4 @@
 // set is left over as a symbol that the linker could share with code for another.
 #pragma once
 
-#define GONIO_INLINE [[gnu::always_inline]] inline
+#define GONIO_INLINE __attribute__((always_inline)) inline
