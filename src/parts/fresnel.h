@@ -1,11 +1,12 @@
 // Fresnel reflectance, as a part that microfacet models share.
 //
-// Each kind offers Channel<S> (its constants of one colour channel), Terms<N> (what depends on the directions only) and
-// reflectance<N>(terms, channel). All take cos(theta_d) = h.k, the angle at the microfacet, never n.k.
+// Each kind offers Channel<S> (its constants of one colour channel), Stage<N> and Terms<N> (what depends on the directions
+// only, in two steps as in lobe.h) and reflectance<N>(terms, channel). All take cos(theta_d) = h.k, the angle at the microfacet, never n.k.
 // Sources: Schlick 1994, eq. 15; Born & Wolf, "Principles of Optics", 1.5.2 and 14.2.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "models/description.h"
@@ -52,33 +53,48 @@ struct None {
   template <class S>
   static Channel<S> channel(const ParameterValues<S>&, int) { return {}; }
   template <class N>
-  struct Terms {
-    GONIO_INLINE explicit Terms(const Geometry<N>&) {}
-  };
+  struct Stage {};
   template <class N>
-  static GONIO_INLINE typename N::Real reflectance(const Terms<N>&, const Channel<typename N::Scalar>&) { return 1; }
+  struct Terms {};
+  template <class N>
+  static GONIO_INLINE Stage<N> stage(const Geometry<N>&) { return {}; }
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Stage<N>&) { return {}; }
+  template <class N>
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>&, const Channel<typename N::WideScalar>&,
+                                                   const Channel<typename N::RealScalar>&) {
+    return 1;
+  }
 };
 
 // F = f0 + (1 - f0) (1 - h.k)^5.
 struct Schlick {
   template <class S>
   struct Channel {
-    S f0;
+    S f0, rest;  // f0 and 1 - f0
   };
   template <class S>
-  static Channel<S> channel(const ParameterValues<S>& p, int c) { return {p.colour("f0", c)}; }
+  static Channel<S> channel(const ParameterValues<S>& p, int c) { 
+    const S f0 = p.colour("f0", c);
+    return {f0, S(1) - f0};
+  }
   template <class N>
-  struct Terms {
-    typename N::Real w5;  // (1 - h.k)^5
-    GONIO_INLINE explicit Terms(const Geometry<N>& g) {
-      const auto w = g.one_minus(N::root(g.cos2_d()));
-      w5 = (w * w) * (w * w) * w;
-    }
+  struct Stage {
+    typename N::Real w;  // 1 - h.k
   };
   template <class N>
-  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::Scalar>& c) {
+  struct Terms {
+    typename N::Real w5;
+  };
+  template <class N>
+  static GONIO_INLINE Stage<N> stage(const Geometry<N>& g) { return {g.one_minus(g.cos_d())}; }
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Stage<N>& g) { return {(g.w * g.w) * (g.w * g.w) * g.w}; }
+  template <class N>
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::WideScalar>&,
+                                                   const Channel<typename N::RealScalar>& c) {
     using Real = typename N::Real;
-    return Real(c.f0) + Real(1 - c.f0) * t.w5;
+    return Real(c.f0) + Real(c.rest) * t.w5;
   }
 };
 
@@ -96,18 +112,26 @@ struct Dielectric {
     return {eta * eta, (eta - S(1)) * (eta + S(1))};
   }
   template <class N>
+  struct Stage {
+    typename N::Wide c2;
+  };
+  template <class N>
   struct Terms {
     typename N::Wide c2;
     typename N::Real c;
-    GONIO_INLINE explicit Terms(const Geometry<N>& g) : c2(g.cos2_d()), c(N::root(c2)) {}
   };
   template <class N>
-  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::Scalar>& k) {
+  static GONIO_INLINE Stage<N> stage(const Geometry<N>& g) { return {g.cos2_d()}; }
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Stage<N>& g) { return {g.c2, N::root(g.c2)}; }
+  template <class N>
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::WideScalar>& k,
+                                                   const Channel<typename N::RealScalar>& real) {
     using Real = typename N::Real;
     using Wide = typename N::Wide;
     const Wide g2 = Wide(k.eta2_minus_one) + t.c2;
     const Real g = N::root(max(g2, Wide(0)));
-    const Real difference(k.eta2_minus_one), eta2(k.eta2);
+    const Real difference(real.eta2_minus_one), eta2(real.eta2);
     const Real sum = max(t.c + g, Real(1e-18));  // its square stays representable
     const Real mixed = max(eta2 * t.c + g, Real(1e-18));
     const Real s = difference / (sum * sum);
@@ -130,12 +154,23 @@ struct Conductor {
     return {(eta - S(1)) * (eta + S(1)) - k * k, S(2) * eta * k};
   }
   template <class N>
-  struct Terms {
-    typename N::Wide c2, s2, c;
-    GONIO_INLINE explicit Terms(const Geometry<N>& g) : c2(g.cos2_d()), s2(typename N::Wide(1) - c2), c(sqrt(c2)) {}
+  struct Stage {
+    typename N::Wide c2;
   };
   template <class N>
-  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::Scalar>& k) {
+  struct Terms {
+    typename N::Wide c2, s2, c;
+  };
+  template <class N>
+  static GONIO_INLINE Stage<N> stage(const Geometry<N>& g) { return {g.cos2_d()}; }
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Stage<N>& g) {
+    using std::sqrt;
+    return {g.c2, typename N::Wide(1) - g.c2, sqrt(g.c2)};
+  }
+  template <class N>
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::WideScalar>& k,
+                                                   const Channel<typename N::RealScalar>&) {
     using Wide = typename N::Wide;
     const Wide real_part = Wide(k.offset) + t.c2;  // eta^2 - k^2 - sin^2
     const Wide modulus = sqrt(real_part * real_part + Wide(k.two_eta_k * k.two_eta_k));  // a^2 + b^2
