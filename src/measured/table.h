@@ -1,9 +1,10 @@
-// A measured isotropic BRDF over Rusinkiewicz' half and difference angles, as the MERL database tabulates it.
+// A measured isotropic BRDF over Rusinkiewicz' half and difference angles, as the MERL database
+// tabulates it.
 //
-// 90 cells of theta_h (quadratically spaced) x 90 of theta_d x 180 of phi_d (half a turn; the other half follows by
-// reciprocity), 3 channels (R, G, B) in 1/sr, held as float32. Cells without a valid measurement hold NaN in every
-// channel. Thread safety: immutable.
-// Source: Matusik, Pfister, Brand & McMillan 2003, "A Data-Driven Reflectance Model".
+// 90 cells of theta_h (quadratically spaced) x 90 of theta_d x 180 of phi_d (half a turn; the other
+// half follows by reciprocity), 3 channels (R, G, B) in 1/sr, held as float32. Cells without a
+// valid measurement hold NaN in every channel. Thread safety: immutable. Source: Matusik, Pfister,
+// Brand & McMillan 2003, "A Data-Driven Reflectance Model".
 #pragma once
 
 #include <cstddef>
@@ -21,12 +22,15 @@ class MeasuredTable {
   static constexpr int kThetaH = 90, kThetaD = 90, kPhiD = 180, kChannels = 3;
   static constexpr std::size_t kCells = std::size_t{kThetaH} * kThetaD * kPhiD;
 
-  // Reads a MERL `.binary`: three int32 dimensions (90 90 180), then planes of float64 for R, G and B that are scaled
-  // here by 1/1500, 1.15/1500 and 1.66/1500. Negative cells are taken as not measured. Errors: not_found,
-  // data_loss (other dimensions, truncated, too long, a value that is not finite), each naming file, found and expected.
+  // Reads a MERL `.binary`: three int32 dimensions (90 90 180), then planes of float64 for R, G and
+  // B that are scaled here by 1/1500, 1.15/1500 and 1.66/1500. A cell that is negative in any
+  // channel is taken as not measured. Errors: not_found, invalid_argument (a folder, a pipe),
+  // data_loss (other dimensions, truncated, too long, a value that is not finite in float32), each
+  // naming file, found and expected.
   static Result<std::shared_ptr<const MeasuredTable>> read_merl(const std::filesystem::path& file);
 
-  // From values in 1/sr, cell-major ([theta_h][theta_d][phi_d][channel]); NaN or negative marks an invalid cell.
+  // From values in 1/sr, cell-major ([theta_h][theta_d][phi_d][channel]); NaN or negative marks an
+  // invalid cell.
   static Result<std::shared_ptr<const MeasuredTable>> from_values(std::span<const float> values);
 
   // [theta_h][theta_d][phi_d][channel].

@@ -1,0 +1,41 @@
+// The bytes of a gRPC message as they lie in memory: several slices, addressed as if they were one array.
+//
+// Nothing is copied but what copy() is asked for. Thread safety: immutable, read from many threads at once.
+#pragma once
+
+#include <grpcpp/support/byte_buffer.h>
+#include <grpcpp/support/slice.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gonio::wire {
+
+class SliceBytes {
+ public:
+  SliceBytes() = default;
+  explicit SliceBytes(std::vector<grpc::Slice> slices);
+  // Empty for a buffer that cannot be read (such as one with a broken compression).
+  static SliceBytes of(const grpc::ByteBuffer& buffer);
+
+  [[nodiscard]] std::size_t size() const { return ends_.empty() ? 0 : ends_.back(); }
+
+  // Copies bytes offset ... offset + count - 1, which must exist.
+  void copy(std::size_t offset, std::size_t count, void* to) const;
+  [[nodiscard]] std::string text(std::size_t offset, std::size_t count) const;
+
+  // The bytes that lie together from `offset` on: at least one where offset < size().
+  struct Piece {
+    const std::uint8_t* data = nullptr;
+    std::size_t size = 0;
+  };
+  [[nodiscard]] Piece piece(std::size_t offset) const;
+
+ private:
+  std::vector<grpc::Slice> slices_;
+  std::vector<std::size_t> ends_;  // the offset after each slice
+};
+
+}  // namespace gonio::wire

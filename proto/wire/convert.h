@@ -1,0 +1,24 @@
+// Between the core's enums and the wire's, and the JSON form of a material. Thread safety: functions without state.
+#pragma once
+
+#include <string_view>
+
+#include "base/result.h"
+#include "engine/isa.h"
+#include "gonio/v1/evaluate.pb.h"
+#include "gonio/v1/material.pb.h"
+
+namespace gonio::wire {
+
+gonio::v1::Precision to_wire(Precision precision);
+gonio::v1::InstructionSet to_wire(Isa isa);
+
+// UNSPECIFIED is fast. Errors: a number that the enum does not have.
+Result<Precision> from_wire(gonio::v1::Precision precision);
+// Not for UNSPECIFIED, whose meaning depends on the processor. Errors: a number that the enum does not have.
+Result<Isa> from_wire(gonio::v1::InstructionSet isa);
+
+// Reads a material as people write it (see material.proto). Errors: what is wrong with the JSON, unknown fields.
+Result<gonio::v1::Material> material_from_json(std::string_view json);
+
+}  // namespace gonio::wire
