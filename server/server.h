@@ -1,6 +1,7 @@
 // The gonio server object: goniod runs one, and the command line holds one inside its own process.
 //
-// Thread safety: shutdown() and wait() may be called from any thread, the rest after start() from any thread.
+// Thread safety: shutdown() and wait() may be called from any thread, the rest after start() from
+// any thread.
 #pragma once
 
 #include <chrono>
@@ -22,7 +23,8 @@ class logger;
 namespace gonio {
 
 struct ServerOptions {
-  // Each "host:port" (port 0 takes a free one), "[::1]:port" or "unix:/path". Empty: reached in-process only.
+  // Each "host:port" (port 0 takes a free one), "[::1]:port" or "unix:/path". Empty: reached
+  // in-process only.
   std::vector<std::string> addresses;
   // Compute threads; 0 means one per processor.
   int threads = 0;
@@ -34,10 +36,11 @@ struct ServerOptions {
   std::size_t memory_quota_bytes = std::size_t{1} << 30;
   // Every *.json and *.binary in it is served under its stem; empty for none.
   std::filesystem::path materials;
-  // Lets a request name a file of this machine: {"model": "measured", "parameters": {"file": "x.binary"}}. Only for a
-  // server that is private to one user.
+  // Lets a request name a file of this machine: {"model": "measured", "parameters": {"file":
+  // "x.binary"}}. Only for a server that is private to one user.
   bool allow_local_files = false;
-  // How long shutdown() goes on serving while it already reports NOT_SERVING, so that balancers look elsewhere.
+  // How long shutdown() goes on serving while it already reports NOT_SERVING, so that balancers
+  // look elsewhere.
   std::chrono::milliseconds lame_duck{0};
   // Null: no log.
   std::shared_ptr<spdlog::logger> logger;
@@ -45,7 +48,8 @@ struct ServerOptions {
 
 class Server {
  public:
-  // Errors name what is wrong: an address that cannot be listened on, a materials folder or a file in it.
+  // Errors name what is wrong: an address that cannot be listened on, a materials folder or a file
+  // in it.
   static Result<std::unique_ptr<Server>> start(const ServerOptions& options);
 
   ~Server();  // shutdown() without grace, if that was not called
@@ -58,8 +62,8 @@ class Server {
   // The port of the first TCP address (the one chosen, where 0 was asked for); 0 if there is none.
   [[nodiscard]] int port() const;
 
-  // Reports NOT_SERVING, serves for the lame duck, then takes no new calls and waits up to `grace` for those under way
-  // before cancelling them. Returns when all is over. Idempotent.
+  // Reports NOT_SERVING, serves for the lame duck, then takes no new calls and waits up to `grace`
+  // for those under way before cancelling them. Returns when all is over. Idempotent.
   void shutdown(std::chrono::milliseconds grace);
 
   // Returns when the server has been shut down.

@@ -1,6 +1,8 @@
-// The bytes of a gRPC message as they lie in memory: several slices, addressed as if they were one array.
+// The bytes of a gRPC message as they lie in memory: several slices, addressed as if they were one
+// array.
 //
-// Nothing is copied but what copy() is asked for. Thread safety: immutable, read from many threads at once.
+// Nothing is copied but what copy() is asked for. Thread safety: immutable, read from many threads
+// at once.
 #pragma once
 
 #include <grpcpp/support/byte_buffer.h>

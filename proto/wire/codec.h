@@ -1,6 +1,7 @@
-// The hot path's codec: EvaluateRequest and EvaluateResponse straight from and into gRPC's slices, so that the large
-// arrays are never copied into a message. What is written is plain protobuf; what is read may be any legal protobuf of
-// these messages (the canonical form is fast, anything else goes through the generated parser first).
+// The hot path's codec: EvaluateRequest and EvaluateResponse straight from and into gRPC's slices,
+// so that the large arrays are never copied into a message. What is written is plain protobuf; what
+// is read may be any legal protobuf of these messages (the canonical form is fast, anything else
+// goes through the generated parser first).
 //
 // Thread safety: functions without state, plain values.
 #pragma once
@@ -37,7 +38,7 @@ struct Request {
 struct StreamRequest {
   std::uint64_t sequence = 0;
   std::uint32_t slot = 0;
-  Result<Request> request;  // an error of this chunk alone
+  Result<Request> request = Request{};  // an error of this chunk alone
 };
 
 struct Response {
@@ -59,7 +60,8 @@ Result<StreamRequest> decode_stream_request(const grpc::ByteBuffer& buffer);
 Result<Response> decode_response(const grpc::ByteBuffer& buffer);
 Result<StreamResponse> decode_stream_response(const grpc::ByteBuffer& buffer);
 
-// Pairs for a request: slices of 3 floats (or doubles) per direction, interleaved. borrow() makes one without a copy.
+// Pairs for a request: slices of 3 floats (or doubles) per direction, interleaved. borrow() makes
+// one without a copy.
 struct PairSlices {
   grpc::Slice wi, wo;
   bool is_f64 = false;
@@ -68,7 +70,8 @@ struct PairSlices {
 // `head` without pairs; `pairs` null for a grid (in `head`).
 grpc::ByteBuffer encode_request(const gonio::v1::EvaluateRequest& head, const PairSlices* pairs);
 grpc::ByteBuffer encode_stream_request(std::uint64_t sequence, std::uint32_t slot,
-                                       const gonio::v1::EvaluateRequest& head, const PairSlices* pairs);
+                                       const gonio::v1::EvaluateRequest& head,
+                                       const PairSlices* pairs);
 
 // `head` without flags and values; `flags` empty for none.
 struct ResponseParts {
@@ -81,8 +84,8 @@ grpc::ByteBuffer encode_response(const ResponseParts& parts);
 grpc::ByteBuffer encode_stream_response(std::uint64_t sequence, const ResponseParts& parts);
 grpc::ByteBuffer encode_stream_error(std::uint64_t sequence, const gonio::v1::ErrorDetail& error);
 
-// A slice of the caller's memory, which must stay valid and unchanged until the slice's last copy is gone: gRPC may hold
-// one beyond the end of a cancelled call.
+// A slice of the caller's memory, which must stay valid and unchanged until the slice's last copy
+// is gone: gRPC may hold one beyond the end of a cancelled call.
 template <class T>
 grpc::Slice borrow(std::span<const T> data) {
   return {data.data(), data.size_bytes(), grpc::Slice::STATIC_SLICE};

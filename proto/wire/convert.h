@@ -1,4 +1,5 @@
-// Between the core's enums and the wire's, and the JSON form of a material. Thread safety: functions without state.
+// Between the core's enums and the wire's, and the JSON form of a material. Thread safety:
+// functions without state.
 #pragma once
 
 #include <string_view>
@@ -15,10 +16,12 @@ gonio::v1::InstructionSet to_wire(Isa isa);
 
 // UNSPECIFIED is fast. Errors: a number that the enum does not have.
 Result<Precision> from_wire(gonio::v1::Precision precision);
-// Not for UNSPECIFIED, whose meaning depends on the processor. Errors: a number that the enum does not have.
+// Not for UNSPECIFIED, whose meaning depends on the processor. Errors: a number that the enum does
+// not have.
 Result<Isa> from_wire(gonio::v1::InstructionSet isa);
 
-// Reads a material as people write it (see material.proto). Errors: what is wrong with the JSON, unknown fields.
+// Reads a material as people write it (see material.proto). Errors: what is wrong with the JSON,
+// unknown fields.
 Result<gonio::v1::Material> material_from_json(std::string_view json);
 
 }  // namespace gonio::wire

@@ -1,7 +1,8 @@
 // Errors on the wire: the one place where a core error becomes a gRPC status, and back.
 //
-// A status carries the serialised gonio.v1.ErrorDetail as its details (grpc-status-details-bin). Texts are shortened so
-// that a status always fits into HTTP/2 headers. Thread safety: functions without state.
+// A status carries the serialised gonio.v1.ErrorDetail as its details (grpc-status-details-bin).
+// Texts are shortened so that a status always fits into HTTP/2 headers. Thread safety: functions
+// without state.
 #pragma once
 
 #include <grpcpp/support/status.h>
@@ -19,7 +20,8 @@ gonio::v1::ErrorDetail to_detail(const Error& error);
 Error from_detail(const gonio::v1::ErrorDetail& detail);
 
 grpc::Status to_status(const Error& error);
-// The details where they are there, else the status's own code and message. `status` must not be OK.
+// The details where they are there, else the status's own code and message. `status` must not be
+// OK.
 Error from_status(const grpc::Status& status);
 
 // At most `max_bytes` bytes of UTF-8 `text`, ending in "..." where something was left out.

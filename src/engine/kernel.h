@@ -1,0 +1,69 @@
+// What the kernels compiled per instruction set offer to the rest of the engine: plain tables of functions.
+//
+// Nothing here has code: this header is read by objects of different instruction sets.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/isa.h"
+
+namespace gonio {
+
+// A run of pairs as the kernels take it: separate, contiguous components; the count a multiple of the packet's width.
+template <class In>
+struct KernelInput {
+  const In* wi[3];
+  const In* wo[3];
+  std::size_t count;
+};
+
+// Channel c of pair i goes to values[c * channel_stride + i]. Flags of bad pairs are written, those of good ones are not
+// touched. With `accumulate` the values are added to what is there.
+template <class Out>
+struct KernelOutput {
+  Out* values;
+  std::size_t channel_stride;
+  std::uint8_t* flags;
+  bool accumulate;
+};
+
+// A model's constants for all channels, as prepared by prepare.h, behind `constants`.
+template <class In, class Out>
+using Kernel = void (*)(const void* constants, const KernelInput<In>&, const KernelOutput<Out>&);
+
+struct KernelSet {
+  Kernel<float, float> fast;
+  Kernel<float, double> reference;
+  Kernel<double, double> reference64;
+};
+
+// Between interleaved and separate components: n triples, and n pairs of `channels` values.
+template <class T>
+struct Layouts {
+  void (*split)(const T* xyz, std::size_t n, T* x, T* y, T* z);
+  void (*join)(const T* planar, std::size_t channel_stride, int channels, std::size_t n, T* interleaved);
+};
+
+// Everything that one instruction set offers.
+struct KernelTable {
+  int width;  // lanes of a packet
+  const KernelSet* analytic;  // by kind, in the order of the registry's kinds
+  KernelSet measured_linear, measured_nearest;
+  Layouts<float> layout32;
+  Layouts<double> layout64;
+};
+
+namespace baseline {
+extern const KernelTable kKernels;
+}
+namespace avx2 {
+extern const KernelTable kKernels;
+}
+namespace avx512 {
+extern const KernelTable kKernels;
+}
+
+const KernelTable& kernels(Isa isa);
+
+}  // namespace gonio

@@ -1,0 +1,91 @@
+#include "engine/material.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/lobe_check.h"
+#include "engine/material_impl.h"
+#include "engine/prepare.h"
+#include "engine/registry.h"
+#include "measured/table.h"
+
+namespace gonio {
+namespace {
+
+// The lobes of a specification with the field each came from, or what is wrong with the whole.
+Result<std::vector<NamedLobe>> list_lobes(const MaterialSpec& spec, std::string_view prefix) {
+  const std::string at(prefix);
+  const bool sum = spec.diffuse.has_value() || !spec.specular.empty();
+  if (spec.model.has_value() == sum) {
+    return bad_value(at.empty() ? "material" : at.substr(0, at.size() - 1), sum ? "a model and a sum" : "empty",
+                     "one model, or a sum of a diffuse base and specular lobes");
+  }
+  if (spec.specular.size() > static_cast<std::size_t>(kMaxSpecularLobes)) {
+    return bad_value(at + "specular", std::to_string(spec.specular.size()) + " lobes",
+                     "at most " + std::to_string(kMaxSpecularLobes));
+  }
+  std::vector<NamedLobe> lobes;
+  if (spec.model) lobes.push_back({&*spec.model, at, std::nullopt});
+  if (spec.diffuse) lobes.push_back({&*spec.diffuse, at + "diffuse.", Role::diffuse});
+  for (std::size_t i = 0; i < spec.specular.size(); ++i) {
+    lobes.push_back({&spec.specular[i], at + "specular[" + std::to_string(i) + "].", Role::specular});
+  }
+  return lobes;
+}
+
+ErrorBound worse(const ErrorBound& a, const ErrorBound& b) { return a.relative < b.relative ? b : a; }
+
+void add_part(Material::Impl& material, const CheckedLobe& lobe) {
+  PreparedLobe prepared = prepare(*lobe.model, lobe.kind, lobe.values, material.channels);
+  material.parts.push_back({MaterialPart::Source::analytic, prepared.kernel, std::move(prepared.constants)});
+  material.fast = worse(material.fast, lobe.model->fast);
+  material.reference = worse(material.reference, lobe.model->reference);
+  material.bytes += static_cast<std::size_t>(material.channels) * 8 * sizeof(double);
+}
+
+}  // namespace
+
+Result<Material> Material::create(const MaterialSpec& spec, std::string_view prefix) {
+  const Result<std::vector<NamedLobe>> named = list_lobes(spec, prefix);
+  if (!named) return named.error();
+  std::vector<CheckedLobe> lobes;
+  ChannelCount channels;
+  for (const NamedLobe& lobe : *named) {
+    Result<CheckedLobe> checked = check_lobe(lobe, channels);
+    if (!checked) return checked.error();
+    lobes.push_back(std::move(checked).value());
+  }
+  auto impl = std::make_shared<Impl>();
+  impl->channels = channels.count;
+  for (const CheckedLobe& lobe : lobes) add_part(*impl, lobe);
+  return Material(std::move(impl));
+}
+
+Material Material::from_table(std::shared_ptr<const MeasuredTable> table, Interpolation interpolation) {
+  auto impl = std::make_shared<Impl>();
+  impl->channels = MeasuredTable::kChannels;
+  impl->bytes = MeasuredTable::kCells * MeasuredTable::kChannels * sizeof(float);
+  const ModelDescription& description = models().back();
+  impl->fast = description.fast;
+  impl->reference = description.reference;
+  // The constants keep the table alive.
+  struct Owner {
+    MeasuredConstants constants;
+    std::shared_ptr<const MeasuredTable> table;
+  };
+  auto owner = std::make_shared<Owner>(Owner{{table->data()}, table});
+  const MeasuredConstants* constants = &owner->constants;
+  impl->parts.push_back({interpolation == Interpolation::linear ? MaterialPart::Source::measured_linear
+                                                                : MaterialPart::Source::measured_nearest,
+                         0, std::shared_ptr<const void>(std::move(owner), constants)});
+  return Material(std::move(impl));
+}
+
+int Material::channels() const { return impl_->channels; }
+std::size_t Material::bytes() const { return impl_->bytes; }
+
+ErrorBound Material::error_bound(Precision precision) const {
+  return precision == Precision::fast ? impl_->fast : impl_->reference;
+}
+
+}  // namespace gonio

@@ -1,0 +1,78 @@
+#include "engine/registry.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "engine/prepare.h"
+#include "models/all.h"
+
+namespace gonio {
+namespace {
+
+constexpr std::array<std::string_view, 2> kInterpolations{"linear", "nearest"};
+constexpr std::array kMeasuredParameters{
+    Parameter{.name = "interpolation",
+              .meaning = "between the centres of the neighbouring valid cells, or the cell that holds the directions",
+              .unit = "1",
+              .kind = Kind::word,
+              .words = kInterpolations}};
+constexpr ModelDescription kMeasured{
+    .name = "measured",
+    .summary = "a table of measurements (MERL .binary), stored with the server or read from a local file",
+    .source = "Matusik, Pfister, Brand & McMillan 2003, A Data-Driven Reflectance Model; Rusinkiewicz 1998",
+    .role = Role::measured,
+    .parameters = kMeasuredParameters,
+    .fast = {1e-5, 1e-30, "of the largest of the table's cells that are interpolated; nearest: away from cell boundaries"},
+    .reference = {1e-10, 1e-30, "of the largest of the table's cells that are interpolated; nearest: away from cell boundaries"}};
+
+template <class... Models>
+std::vector<ModelDescription> describe(TypeList<Models...>) { return {Models::kDescription..., kMeasured}; }
+
+template <class Kind>
+std::shared_ptr<const void> prepare_kind(const ParameterValues<double>& values, int channels) {
+  auto constants = std::make_shared<Constants<Kind>>();
+  constants->shape = Kind::shape(values);
+  constants->channels = channels;
+  for (int c = 0; c < channels; ++c) constants->channel[c] = Kind::channel(values, c);
+  return constants;
+}
+
+template <class... Kinds>
+void add_kinds(std::vector<PrepareFn>& kinds, TypeList<Kinds...>) { (kinds.push_back(&prepare_kind<Kinds>), ...); }
+
+struct PrepareTable {
+  std::vector<PrepareFn> kinds;
+  std::vector<std::size_t> first;  // of each model
+};
+
+template <class... Models>
+PrepareTable prepare_table(TypeList<Models...>) {
+  PrepareTable table;
+  ((table.first.push_back(table.kinds.size()), add_kinds(table.kinds, typename Models::Kinds{})), ...);
+  return table;
+}
+
+}  // namespace
+
+std::span<const ModelDescription> models() {
+  static const std::vector<ModelDescription> all = describe(AllModels{});
+  return all;
+}
+
+Result<const ModelDescription*> find_model(std::string_view name) {
+  std::string known;
+  for (const ModelDescription& model : models()) {
+    if (model.name == name) return &model;
+    known += (known.empty() ? "" : ", ") + std::string(model.name);
+  }
+  return bad_value("model", '"' + std::string(name) + '"', known, ErrorCode::not_found);
+}
+
+PreparedLobe prepare(const ModelDescription& model, std::size_t kind, const ParameterValues<double>& values, int channels) {
+  static const PrepareTable table = prepare_table(AllModels{});
+  const std::size_t index = table.first[static_cast<std::size_t>(&model - models().data())] + kind;
+  return {index, table.kinds[index](values, channels)};
+}
+
+}  // namespace gonio

@@ -1,0 +1,98 @@
+// ashikhmin_shirley: the anisotropic Phong model, with the diffuse term of its own that keeps energy.
+//
+//   f_s = scale sqrt((nu+1)(nv+1)) / (8 pi) * (n.h)^e / ((h.k) max(n.wi, n.wo)) * F,   F Schlick with f0 = rs,
+//         e = (nu hx^2 + nv hy^2) / (hx^2 + hy^2)
+//   f_d = 28 rd / (23 pi) (1 - rs) (1 - (1 - n.wi/2)^5) (1 - (1 - n.wo/2)^5)
+//
+// Source: Ashikhmin & Shirley 2000, "An Anisotropic Phong BRDF Model", equations 4 and 5.
+// Stable forms: (n.h)^e = exp(-1/2 (nu Hx^2 + nv Hy^2) log(1 + s/c) / s) with s = Hx^2 + Hy^2, c = Hz^2 is smooth through
+// h = n, where e is 0/0; 1 - (1 - w)^5 = w (5 - 10w + 10w^2 - 5w^3 + w^4) does not cancel at grazing.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "models/description.h"
+#include "models/parameter_values.h"
+#include "numeric/type_list.h"
+#include "parts/fresnel.h"
+#include "parts/geometry.h"
+#include "parts/lobe.h"
+
+namespace gonio {
+
+struct AshikhminShirley {
+  static constexpr std::array kParameters{
+      Parameter{.name = "rd", .meaning = "diffuse colour", .unit = "1", .lower = 0, .upper = 1, .start = 0, .kind = Kind::colour},
+      Parameter{.name = "rs", .meaning = "specular reflectance at normal incidence", .unit = "1", .lower = 0, .upper = 1,
+                .start = 0.5, .kind = Kind::colour},
+      Parameter{.name = "nu", .meaning = "exponent along the tangent u", .unit = "1", .lower = 0, .upper = 1e8, .start = 100,
+                .scale = Scale::logarithmic},
+      Parameter{.name = "nv", .meaning = "exponent along the tangent v", .unit = "1", .lower = 0, .upper = 1e8, .start = 100,
+                .scale = Scale::logarithmic},
+      kScale};
+  static constexpr ModelDescription kDescription{
+      .name = "ashikhmin_shirley",
+      .summary = "anisotropic Phong lobe of the half-vector with Schlick's Fresnel and an energy-keeping diffuse term",
+      .source = "Ashikhmin & Shirley 2000, An Anisotropic Phong BRDF Model, eq. 4, 5",
+      .role = Role::specular,
+      .parameters = kParameters,
+      .fast = {3e-6},
+      .reference = {3e-9, 1e-30, "3e-11 for exponents up to 1000"}};
+  using Kinds = TypeList<AshikhminShirley>;
+
+  template <class S>
+  struct Shape {
+    S half_nu, half_nv, norm;
+  };
+  template <class S>
+  struct Channel {
+    S specular, specular_rest, diffuse;  // scale rs, scale (1 - rs), 28 rd (1 - rs) / (23 pi)
+  };
+  template <class N>
+  struct Terms {
+    typename N::Real amplitude, w5, diffuse;
+  };
+
+  template <class S>
+  static Shape<S> shape(const ParameterValues<S>& p) {
+    using std::sqrt;
+    const S nu = p.number("nu"), nv = p.number("nv");
+    return {S(0.5) * nu, S(0.5) * nv, sqrt((nu + S(1)) * (nv + S(1))) / S(8 * 3.14159265358979323846)};
+  }
+
+  template <class S>
+  static Channel<S> channel(const ParameterValues<S>& p, int c) {
+    const S rd = p.colour("rd", c), rs = p.colour("rs", c), scale = p.colour("scale", c);
+    return {scale * rs, scale * (S(1) - rs), S(28 / (23 * 3.14159265358979323846)) * rd * (S(1) - rs)};
+  }
+
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Shape<typename N::Scalar>& k, const Geometry<N>& g) {
+    using Wide = typename N::Wide;
+    using Real = typename N::Real;
+    const Vec3<Wide> h = g.h();
+    const Wide x2 = h.x * h.x, y2 = h.y * h.y;
+    const Wide exponent = -(Wide(k.half_nu) * x2 + Wide(k.half_nv) * y2) * N::log1p_over(x2 + y2, h.z * h.z);
+    const Real cos_d = N::root(g.cos2_d());
+    // Divided one after the other: the product of two tiny cosines would underflow.
+    const Real amplitude = N::times_exp(Real(k.norm) / cos_d / N::real(g.cos_max()), exponent);
+    const Real w = g.one_minus(cos_d);
+    return {min(N::largest(), amplitude), (w * w) * (w * w) * w, falloff(g.cos_i()) * falloff(g.cos_o())};
+  }
+
+  // 1 - (1 - cos/2)^5.
+  template <class Real>
+  static GONIO_INLINE Real falloff(Real cos) {
+    const Real w = Real(0.5) * cos;
+    return w * (Real(5) - w * (Real(10) - w * (Real(10) - w * (Real(5) - w))));
+  }
+
+  template <class N>
+  static GONIO_INLINE typename N::Real value(const Terms<N>& t, const Channel<typename N::Scalar>& c) {
+    using Real = typename N::Real;
+    return t.amplitude * (Real(c.specular) + Real(c.specular_rest) * t.w5) + Real(c.diffuse) * t.diffuse;
+  }
+};
+
+}  // namespace gonio

@@ -1,0 +1,61 @@
+// cook_torrance: microfacets in V-grooves with Beckmann's distribution of normals.
+//
+//   f = scale F D G / (4 (n.wi) (n.wo))
+//   D = exp(-tan^2(delta) / m^2) / (pi m^2 cos^4(delta)),   cos(delta) = n.h
+//   G = min(1, 2 (n.h)(n.wo) / (wo.h), 2 (n.h)(n.wi) / (wi.h))
+//
+// Source: Cook & Torrance 1982, "A Reflectance Model for Computer Graphics" (with pi and 4 as they must be for D to be a
+// distribution: the integral of D cos is 1).
+// Stable forms: with H = wi + wo unnormalised, G / (4 cos_i cos_o) = Hz / (cos_max max(4 cos_min Hz, |H|^2)), which is
+// finite where the cosines vanish; 1/cos^2(delta) = |H|^2 / Hz^2.
+#pragma once
+
+#include <array>
+
+#include "models/description.h"
+#include "parts/lobe.h"
+
+namespace gonio {
+
+struct CookTorrance {
+  static constexpr std::array kParameters{
+      Parameter{.name = "m", .meaning = "Beckmann's root mean square slope", .unit = "1", .lower = 1e-3, .upper = 2, .start = 0.3,
+                .scale = Scale::logarithmic},
+      fresnel::kKind, fresnel::kF0, fresnel::kEta, fresnel::kK, kScale};
+  static constexpr ModelDescription kDescription{
+      .name = "cook_torrance",
+      .summary = "V-groove microfacets with Beckmann's distribution",
+      .source = "Cook & Torrance 1982, A Reflectance Model for Computer Graphics",
+      .role = Role::specular,
+      .parameters = kParameters,
+      .fast = {3e-6},
+      .reference = {3e-9, 1e-30, "3e-11 for m of 0.03 and more"}};
+  using Kinds = FresnelKinds<CookTorrance>;
+
+  template <class S>
+  struct Shape {
+    S minus_inverse_m2, norm;
+  };
+
+  template <class S>
+  static Shape<S> shape(const ParameterValues<S>& p) {
+    const S m = p.number("m");
+    return {S(-1) / (m * m), S(1) / (S(3.14159265358979323846) * m * m)};
+  }
+
+  template <class N>
+  static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::Scalar>& k, const Geometry<N>& g) {
+    using Wide = typename N::Wide;
+    using Real = typename N::Real;
+    const Vec3<Wide> h = g.h();
+    const Wide h2 = g.h_length2();
+    const Wide inverse_z2 = Wide(1) / (h.z * h.z);
+    const Wide tan2 = (h.x * h.x + h.y * h.y) * inverse_z2;
+    // Beyond this the exponential is 0 for every m; the bound keeps its factor finite.
+    const Real sec2 = N::real(min(h2 * inverse_z2, Wide(1e9)));
+    const Real masking = N::real(h.z / (g.cos_max() * max(Wide(4) * g.cos_min() * h.z, h2)));
+    return N::times_exp(min(N::largest(), Real(k.norm) * (sec2 * sec2) * masking), tan2 * Wide(k.minus_inverse_m2));
+  }
+};
+
+}  // namespace gonio

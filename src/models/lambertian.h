@@ -1,0 +1,51 @@
+// lambertian: the ideal diffuse surface.
+//
+//   f = rd / pi
+//
+// Source: Lambert 1760, "Photometria".
+#pragma once
+
+#include <array>
+
+#include "models/description.h"
+#include "models/parameter_values.h"
+#include "numeric/type_list.h"
+#include "parts/geometry.h"
+
+namespace gonio {
+
+struct Lambertian {
+  static constexpr std::array kParameters{
+      Parameter{.name = "rd", .meaning = "diffuse albedo", .unit = "1", .lower = 0, .upper = 1, .start = 0.5, .kind = Kind::colour}};
+  static constexpr ModelDescription kDescription{.name = "lambertian",
+                                                 .summary = "ideal diffuse reflection",
+                                                 .source = "Lambert 1760, Photometria",
+                                                 .role = Role::diffuse,
+                                                 .parameters = kParameters,
+                                                 .fast = {2e-7},
+                                                 .reference = {1e-15}};
+  using Kinds = TypeList<Lambertian>;
+
+  template <class S>
+  struct Shape {};
+  template <class S>
+  struct Channel {
+    S value;
+  };
+  template <class N>
+  struct Terms {};
+
+  template <class S>
+  static Shape<S> shape(const ParameterValues<S>&) { return {}; }
+  template <class S>
+  static Channel<S> channel(const ParameterValues<S>& p, int c) { return {p.colour("rd", c) / S(3.14159265358979323846)}; }
+
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Shape<typename N::Scalar>&, const Geometry<N>&) { return {}; }
+  template <class N>
+  static GONIO_INLINE typename N::Real value(const Terms<N>&, const Channel<typename N::Scalar>& c) {
+    return typename N::Real(c.value);
+  }
+};
+
+}  // namespace gonio

@@ -1,0 +1,91 @@
+// Raw vector operations, AVX2 with FMA: 8 floats in one register, 8 doubles in two.
+// The same names stand in isa_avx512.h and isa_baseline.h; packet.h builds the number types on them.
+#pragma once
+
+#include <immintrin.h>
+
+#include "numeric/inline.h"
+
+namespace gonio::avx2::raw {
+
+inline constexpr int kWidth = 8;  // lanes of a packet
+using F = __m256;                 // kWidth floats
+using D = __m256d;                // kWidth / 2 doubles
+using M = __m256;                 // all bits of a float lane
+
+GONIO_INLINE F broadcast(float x) { return _mm256_set1_ps(x); }
+GONIO_INLINE D broadcast(double x) { return _mm256_set1_pd(x); }
+GONIO_INLINE F load(const float* p) { return _mm256_loadu_ps(p); }
+GONIO_INLINE D load(const double* p) { return _mm256_loadu_pd(p); }
+GONIO_INLINE void store(float* p, F x) { _mm256_storeu_ps(p, x); }
+GONIO_INLINE void store(double* p, D x) { _mm256_storeu_pd(p, x); }
+
+GONIO_INLINE F min(F a, F b) { return _mm256_min_ps(a, b); }
+GONIO_INLINE D min(D a, D b) { return _mm256_min_pd(a, b); }
+GONIO_INLINE F max(F a, F b) { return _mm256_max_ps(a, b); }
+GONIO_INLINE D max(D a, D b) { return _mm256_max_pd(a, b); }
+GONIO_INLINE F sqrt(F x) { return _mm256_sqrt_ps(x); }
+GONIO_INLINE D sqrt(D x) { return _mm256_sqrt_pd(x); }
+GONIO_INLINE D round(D x) { return _mm256_round_pd(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
+GONIO_INLINE D floor(D x) { return _mm256_floor_pd(x); }
+
+// There is no estimate in double here; a division is exact and quick enough.
+GONIO_INLINE D reciprocal_estimate(D x) { return _mm256_set1_pd(1) / x; }
+GONIO_INLINE D reciprocal_fast(D x) { return _mm256_set1_pd(1) / x; }
+
+// floor(log2 x) for normal x > 0: the exponent bits, made a double by a constant whose last bit is worth one.
+GONIO_INLINE D exponent(D x) {
+  const __m256i biased = _mm256_srli_epi64(_mm256_castpd_si256(x), 52);
+  const __m256i magic = _mm256_set1_epi64x(0x4330000000000000);  // 2^52
+  return _mm256_castsi256_pd(_mm256_or_si256(biased, magic)) - _mm256_set1_pd(0x1p52 + 1023);
+}
+// x * 2^k for whole k with a normal result.
+GONIO_INLINE D scale(D x, D k) {
+  const __m256i bits = _mm256_castpd_si256(k + _mm256_set1_pd(0x1.8p52));
+  return _mm256_castsi256_pd(_mm256_add_epi64(_mm256_castpd_si256(x), _mm256_slli_epi64(bits, 52)));
+}
+// x * 2^k for whole k >= -126; smaller k give 0.
+GONIO_INLINE F scale(F x, F k) {
+  const __m256i biased = _mm256_add_epi32(_mm256_cvtps_epi32(max(k, broadcast(-127.0F))), _mm256_set1_epi32(127));
+  return x * _mm256_castsi256_ps(_mm256_slli_epi32(biased, 23));
+}
+
+GONIO_INLINE void widen(F x, D& lo, D& hi) {
+  lo = _mm256_cvtps_pd(_mm256_castps256_ps128(x));
+  hi = _mm256_cvtps_pd(_mm256_extractf128_ps(x, 1));
+}
+GONIO_INLINE F narrow(D lo, D hi) {
+  return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm256_cvtpd_ps(lo)), _mm256_cvtpd_ps(hi), 1);
+}
+
+GONIO_INLINE M less(F a, F b) { return _mm256_cmp_ps(a, b, _CMP_LT_OQ); }
+GONIO_INLINE __m128 mask_half(D m) {  // four 64-bit masks to four 32-bit ones
+  const __m256 f = _mm256_castpd_ps(m);
+  return _mm_shuffle_ps(_mm256_castps256_ps128(f), _mm256_extractf128_ps(f, 1), 0x88);
+}
+GONIO_INLINE M less(D alo, D ahi, D blo, D bhi) {
+  const __m128 lo = mask_half(_mm256_cmp_pd(alo, blo, _CMP_LT_OQ));
+  const __m128 hi = mask_half(_mm256_cmp_pd(ahi, bhi, _CMP_LT_OQ));
+  return _mm256_insertf128_ps(_mm256_castps128_ps256(lo), hi, 1);
+}
+GONIO_INLINE M mask_and(M a, M b) { return _mm256_and_ps(a, b); }
+GONIO_INLINE M mask_or(M a, M b) { return _mm256_or_ps(a, b); }
+GONIO_INLINE M mask_not(M a) { return _mm256_xor_ps(a, _mm256_castsi256_ps(_mm256_set1_epi32(-1))); }
+GONIO_INLINE unsigned bits(M m) { return static_cast<unsigned>(_mm256_movemask_ps(m)); }
+
+GONIO_INLINE F select(M m, F a, F b) { return _mm256_blendv_ps(b, a, m); }
+GONIO_INLINE void select(M m, D& lo, D& hi, D blo, D bhi) {
+  const __m256i wide_lo = _mm256_cvtepi32_epi64(_mm_castps_si128(_mm256_castps256_ps128(m)));
+  const __m256i wide_hi = _mm256_cvtepi32_epi64(_mm_castps_si128(_mm256_extractf128_ps(m, 1)));
+  lo = _mm256_blendv_pd(blo, lo, _mm256_castsi256_pd(wide_lo));
+  hi = _mm256_blendv_pd(bhi, hi, _mm256_castsi256_pd(wide_hi));
+}
+
+// table[index], lane by lane; the index is a whole number held as a double.
+GONIO_INLINE F gather(const float* table, D lo, D hi) {
+  const __m128i a = _mm256_cvttpd_epi32(lo);
+  const __m128i b = _mm256_cvttpd_epi32(hi);
+  return _mm256_i32gather_ps(table, _mm256_inserti128_si256(_mm256_castsi128_si256(a), b, 1), 4);
+}
+
+}  // namespace gonio::avx2::raw

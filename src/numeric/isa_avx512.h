@@ -1,0 +1,76 @@
+// Raw vector operations, AVX-512 (F, DQ, VL, BW): 16 floats in one register, 16 doubles in two.
+// The same names stand in isa_avx2.h and isa_baseline.h; packet.h builds the number types on them.
+#pragma once
+
+#include <immintrin.h>
+
+#include "numeric/inline.h"
+
+namespace gonio::avx512::raw {
+
+inline constexpr int kWidth = 16;  // lanes of a packet
+using F = __m512;                  // kWidth floats
+using D = __m512d;                 // kWidth / 2 doubles
+using M = __mmask16;               // one bit a lane
+
+GONIO_INLINE F broadcast(float x) { return _mm512_set1_ps(x); }
+GONIO_INLINE D broadcast(double x) { return _mm512_set1_pd(x); }
+GONIO_INLINE F load(const float* p) { return _mm512_loadu_ps(p); }
+GONIO_INLINE D load(const double* p) { return _mm512_loadu_pd(p); }
+GONIO_INLINE void store(float* p, F x) { _mm512_storeu_ps(p, x); }
+GONIO_INLINE void store(double* p, D x) { _mm512_storeu_pd(p, x); }
+
+GONIO_INLINE F min(F a, F b) { return _mm512_min_ps(a, b); }
+GONIO_INLINE D min(D a, D b) { return _mm512_min_pd(a, b); }
+GONIO_INLINE F max(F a, F b) { return _mm512_max_ps(a, b); }
+GONIO_INLINE D max(D a, D b) { return _mm512_max_pd(a, b); }
+GONIO_INLINE F sqrt(F x) { return _mm512_sqrt_ps(x); }
+GONIO_INLINE D sqrt(D x) { return _mm512_sqrt_pd(x); }
+GONIO_INLINE D round(D x) { return _mm512_roundscale_pd(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
+GONIO_INLINE D floor(D x) { return _mm512_roundscale_pd(x, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC); }
+
+// 1/x to 14 bits, for normal x.
+GONIO_INLINE D reciprocal_estimate(D x) { return _mm512_rcp14_pd(x); }
+// 1/x to 42 bits, for normal x: the estimate and one third-order step.
+GONIO_INLINE D reciprocal_fast(D x) {
+  const D r = reciprocal_estimate(x);
+  const D e = _mm512_fnmadd_pd(x, r, _mm512_set1_pd(1));
+  return _mm512_fmadd_pd(r, _mm512_fmadd_pd(e, e, e), r);
+}
+
+// floor(log2 x) for normal x > 0, and x * 2^k for whole k.
+GONIO_INLINE D exponent(D x) { return _mm512_getexp_pd(x); }
+GONIO_INLINE D scale(D x, D k) { return _mm512_scalef_pd(x, k); }
+GONIO_INLINE F scale(F x, F k) { return _mm512_scalef_ps(x, k); }
+
+GONIO_INLINE void widen(F x, D& lo, D& hi) {
+  lo = _mm512_cvtps_pd(_mm512_castps512_ps256(x));
+  hi = _mm512_cvtps_pd(_mm512_extractf32x8_ps(x, 1));
+}
+GONIO_INLINE F narrow(D lo, D hi) {
+  return _mm512_insertf32x8(_mm512_castps256_ps512(_mm512_cvtpd_ps(lo)), _mm512_cvtpd_ps(hi), 1);
+}
+
+GONIO_INLINE M less(F a, F b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
+GONIO_INLINE M less(D alo, D ahi, D blo, D bhi) {
+  return _mm512_kunpackb(_mm512_cmp_pd_mask(ahi, bhi, _CMP_LT_OQ), _mm512_cmp_pd_mask(alo, blo, _CMP_LT_OQ));
+}
+GONIO_INLINE M mask_and(M a, M b) { return _kand_mask16(a, b); }
+GONIO_INLINE M mask_or(M a, M b) { return _kor_mask16(a, b); }
+GONIO_INLINE M mask_not(M a) { return _knot_mask16(a); }
+GONIO_INLINE unsigned bits(M m) { return _cvtmask16_u32(m); }
+
+GONIO_INLINE F select(M m, F a, F b) { return _mm512_mask_blend_ps(m, b, a); }
+GONIO_INLINE void select(M m, D& lo, D& hi, D blo, D bhi) {
+  lo = _mm512_mask_blend_pd(static_cast<__mmask8>(m), blo, lo);
+  hi = _mm512_mask_blend_pd(static_cast<__mmask8>(m >> 8), bhi, hi);
+}
+
+// table[index], lane by lane; the index is a whole number held as a double.
+GONIO_INLINE F gather(const float* table, D lo, D hi) {
+  const __m256i a = _mm512_cvttpd_epi32(lo);
+  const __m256i b = _mm512_cvttpd_epi32(hi);
+  return _mm512_i32gather_ps(_mm512_inserti64x4(_mm512_castsi256_si512(a), b, 1), table, 4);
+}
+
+}  // namespace gonio::avx512::raw

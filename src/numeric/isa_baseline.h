@@ -1,0 +1,89 @@
+// Raw vector operations, what every x86-64 has (SSE2): 4 floats in one register, 4 doubles in two.
+// The same names stand in isa_avx512.h and isa_avx2.h; packet.h builds the number types on them.
+#pragma once
+
+#include <emmintrin.h>
+
+#include "numeric/inline.h"
+
+namespace gonio::baseline::raw {
+
+inline constexpr int kWidth = 4;  // lanes of a packet
+using F = __m128;                 // kWidth floats
+using D = __m128d;                // kWidth / 2 doubles
+using M = __m128;                 // all bits of a float lane
+
+GONIO_INLINE F broadcast(float x) { return _mm_set1_ps(x); }
+GONIO_INLINE D broadcast(double x) { return _mm_set1_pd(x); }
+GONIO_INLINE F load(const float* p) { return _mm_loadu_ps(p); }
+GONIO_INLINE D load(const double* p) { return _mm_loadu_pd(p); }
+GONIO_INLINE void store(float* p, F x) { _mm_storeu_ps(p, x); }
+GONIO_INLINE void store(double* p, D x) { _mm_storeu_pd(p, x); }
+
+GONIO_INLINE F min(F a, F b) { return _mm_min_ps(a, b); }
+GONIO_INLINE D min(D a, D b) { return _mm_min_pd(a, b); }
+GONIO_INLINE F max(F a, F b) { return _mm_max_ps(a, b); }
+GONIO_INLINE D max(D a, D b) { return _mm_max_pd(a, b); }
+GONIO_INLINE F sqrt(F x) { return _mm_sqrt_ps(x); }
+GONIO_INLINE D sqrt(D x) { return _mm_sqrt_pd(x); }
+// Adding and taking away 1.5 * 2^52 leaves the nearest whole number, for |x| < 2^51.
+GONIO_INLINE D round(D x) {
+  D shifted = x + _mm_set1_pd(0x1.8p52);
+  asm("" : "+x"(shifted));  // keeps the compiler from seeing x + c - c
+  return shifted - _mm_set1_pd(0x1.8p52);
+}
+GONIO_INLINE D floor(D x) {
+  const D nearest = round(x);
+  return nearest - _mm_and_pd(_mm_cmpgt_pd(nearest, x), _mm_set1_pd(1));
+}
+
+// There is no estimate in double here; a division is exact and quick enough.
+GONIO_INLINE D reciprocal_estimate(D x) { return _mm_set1_pd(1) / x; }
+GONIO_INLINE D reciprocal_fast(D x) { return _mm_set1_pd(1) / x; }
+
+// floor(log2 x) for normal x > 0: the exponent bits, made a double by a constant whose last bit is worth one.
+GONIO_INLINE D exponent(D x) {
+  const __m128i biased = _mm_srli_epi64(_mm_castpd_si128(x), 52);
+  const __m128i magic = _mm_set1_epi64x(0x4330000000000000);  // 2^52
+  return _mm_castsi128_pd(_mm_or_si128(biased, magic)) - _mm_set1_pd(0x1p52 + 1023);
+}
+// x * 2^k for whole k with a normal result.
+GONIO_INLINE D scale(D x, D k) {
+  const __m128i bits = _mm_castpd_si128(k + _mm_set1_pd(0x1.8p52));
+  return _mm_castsi128_pd(_mm_add_epi64(_mm_castpd_si128(x), _mm_slli_epi64(bits, 52)));
+}
+// x * 2^k for whole k >= -126; smaller k give 0.
+GONIO_INLINE F scale(F x, F k) {
+  const __m128i biased = _mm_add_epi32(_mm_cvtps_epi32(max(k, broadcast(-127.0F))), _mm_set1_epi32(127));
+  return x * _mm_castsi128_ps(_mm_slli_epi32(biased, 23));
+}
+
+GONIO_INLINE void widen(F x, D& lo, D& hi) {
+  lo = _mm_cvtps_pd(x);
+  hi = _mm_cvtps_pd(_mm_movehl_ps(x, x));
+}
+GONIO_INLINE F narrow(D lo, D hi) { return _mm_movelh_ps(_mm_cvtpd_ps(lo), _mm_cvtpd_ps(hi)); }
+
+GONIO_INLINE M less(F a, F b) { return _mm_cmplt_ps(a, b); }
+GONIO_INLINE M less(D alo, D ahi, D blo, D bhi) {
+  return _mm_shuffle_ps(_mm_castpd_ps(_mm_cmplt_pd(alo, blo)), _mm_castpd_ps(_mm_cmplt_pd(ahi, bhi)), 0x88);
+}
+GONIO_INLINE M mask_and(M a, M b) { return _mm_and_ps(a, b); }
+GONIO_INLINE M mask_or(M a, M b) { return _mm_or_ps(a, b); }
+GONIO_INLINE M mask_not(M a) { return _mm_xor_ps(a, _mm_castsi128_ps(_mm_set1_epi32(-1))); }
+GONIO_INLINE unsigned bits(M m) { return static_cast<unsigned>(_mm_movemask_ps(m)); }
+
+GONIO_INLINE F select(M m, F a, F b) { return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b)); }
+GONIO_INLINE D select_half(D m, D a, D b) { return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b)); }
+GONIO_INLINE void select(M m, D& lo, D& hi, D blo, D bhi) {
+  lo = select_half(_mm_castps_pd(_mm_unpacklo_ps(m, m)), lo, blo);
+  hi = select_half(_mm_castps_pd(_mm_unpackhi_ps(m, m)), hi, bhi);
+}
+
+// table[index], lane by lane; the index is a whole number held as a double.
+GONIO_INLINE F gather(const float* table, D lo, D hi) {
+  return _mm_setr_ps(table[static_cast<int>(lo[0])], table[static_cast<int>(lo[1])],
+                     table[static_cast<int>(hi[0])], table[static_cast<int>(hi[1])]);
+}
+
+}  // namespace gonio::baseline::raw

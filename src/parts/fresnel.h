@@ -1,0 +1,158 @@
+// Fresnel reflectance, as a part that microfacet models share.
+//
+// Each kind offers Channel<S> (its constants of one colour channel), Terms<N> (what depends on the directions only) and
+// reflectance<N>(terms, channel). All take cos(theta_d) = h.k, the angle at the microfacet, never n.k.
+// Sources: Schlick 1994, eq. 15; Born & Wolf, "Principles of Optics", 1.5.2 and 14.2.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "models/description.h"
+#include "models/parameter_values.h"
+#include "numeric/inline.h"
+#include "parts/geometry.h"
+
+namespace gonio::fresnel {
+
+inline constexpr std::array<std::string_view, 4> kWords{"none", "schlick", "dielectric", "conductor"};
+
+inline constexpr Parameter kKind{.name = "fresnel",
+                                 .meaning = "reflectance of a microfacet; if not given, it follows from f0, eta and k",
+                                 .unit = "1",
+                                 .kind = Kind::word,
+                                 .words = kWords};
+inline constexpr Parameter kF0{.name = "f0",
+                               .meaning = "reflectance at normal incidence, for schlick",
+                               .unit = "1",
+                               .lower = 0,
+                               .upper = 1,
+                               .start = 0.04,
+                               .kind = Kind::colour};
+inline constexpr Parameter kEta{.name = "eta",
+                                .meaning = "refractive index relative to the outside, for dielectric and conductor",
+                                .unit = "1",
+                                .lower = 0.01,
+                                .upper = 100,
+                                .start = 1.5,
+                                .scale = Scale::logarithmic,
+                                .kind = Kind::colour};
+inline constexpr Parameter kK{.name = "k",
+                              .meaning = "extinction coefficient, for conductor",
+                              .unit = "1",
+                              .lower = 0,
+                              .upper = 100,
+                              .start = 0,
+                              .kind = Kind::colour};
+
+// F = 1.
+struct None {
+  template <class S>
+  struct Channel {};
+  template <class S>
+  static Channel<S> channel(const ParameterValues<S>&, int) { return {}; }
+  template <class N>
+  struct Terms {
+    GONIO_INLINE explicit Terms(const Geometry<N>&) {}
+  };
+  template <class N>
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>&, const Channel<typename N::Scalar>&) { return 1; }
+};
+
+// F = f0 + (1 - f0) (1 - h.k)^5.
+struct Schlick {
+  template <class S>
+  struct Channel {
+    S f0;
+  };
+  template <class S>
+  static Channel<S> channel(const ParameterValues<S>& p, int c) { return {p.colour("f0", c)}; }
+  template <class N>
+  struct Terms {
+    typename N::Real w5;  // (1 - h.k)^5
+    GONIO_INLINE explicit Terms(const Geometry<N>& g) {
+      const auto w = g.one_minus(N::root(g.cos2_d()));
+      w5 = (w * w) * (w * w) * w;
+    }
+  };
+  template <class N>
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::Scalar>& c) {
+    using Real = typename N::Real;
+    return Real(c.f0) + Real(1 - c.f0) * t.w5;
+  }
+};
+
+// Exact unpolarised reflectance of a dielectric. With c = h.k and g^2 = eta^2 - 1 + c^2, the s and p amplitudes are
+// written with the factor eta^2 - 1 taken out, so that nothing cancels as eta tends to 1; g^2 <= 0 reflects all.
+struct Dielectric {
+  template <class S>
+  struct Channel {
+    S eta2;            // eta^2
+    S eta2_minus_one;  // (eta - 1)(eta + 1)
+  };
+  template <class S>
+  static Channel<S> channel(const ParameterValues<S>& p, int c) {
+    const S eta = p.colour("eta", c);
+    return {eta * eta, (eta - S(1)) * (eta + S(1))};
+  }
+  template <class N>
+  struct Terms {
+    typename N::Wide c2;
+    typename N::Real c;
+    GONIO_INLINE explicit Terms(const Geometry<N>& g) : c2(g.cos2_d()), c(N::root(c2)) {}
+  };
+  template <class N>
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::Scalar>& k) {
+    using Real = typename N::Real;
+    using Wide = typename N::Wide;
+    const Wide g2 = Wide(k.eta2_minus_one) + t.c2;
+    const Real g = N::root(max(g2, Wide(0)));
+    const Real difference(k.eta2_minus_one), eta2(k.eta2);
+    const Real sum = max(t.c + g, Real(1e-18));  // its square stays representable
+    const Real mixed = max(eta2 * t.c + g, Real(1e-18));
+    const Real s = difference / (sum * sum);
+    const Real p_numerator = N::real(Wide(k.eta2 + 1) * t.c2 - Wide(1));
+    const Real p = difference * p_numerator / (mixed * mixed);
+    return select(Wide(0) < g2, Real(0.5) * (s * s + p * p), Real(1));
+  }
+};
+
+// Exact unpolarised reflectance of a conductor with index eta + i k, in the wide type: a - c cancels for weak absorbers.
+struct Conductor {
+  template <class S>
+  struct Channel {
+    S offset;     // eta^2 - k^2 - 1
+    S two_eta_k;  // 2 eta k
+  };
+  template <class S>
+  static Channel<S> channel(const ParameterValues<S>& p, int c) {
+    const S eta = p.colour("eta", c), k = p.colour("k", c);
+    return {(eta - S(1)) * (eta + S(1)) - k * k, S(2) * eta * k};
+  }
+  template <class N>
+  struct Terms {
+    typename N::Wide c2, s2, c;
+    GONIO_INLINE explicit Terms(const Geometry<N>& g) : c2(g.cos2_d()), s2(typename N::Wide(1) - c2), c(sqrt(c2)) {}
+  };
+  template <class N>
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::Scalar>& k) {
+    using Wide = typename N::Wide;
+    const Wide real_part = Wide(k.offset) + t.c2;  // eta^2 - k^2 - sin^2
+    const Wide modulus = sqrt(real_part * real_part + Wide(k.two_eta_k * k.two_eta_k));  // a^2 + b^2
+    // The larger of a^2, b^2 is a sum; the other follows from a b = eta k.
+    const Wide larger = max(Wide(0.5) * (modulus + max(real_part, -real_part)), Wide(1e-300));
+    const Wide smaller = Wide(0.25 * k.two_eta_k * k.two_eta_k) / larger;
+    const auto positive = Wide(0) < real_part;
+    const Wide a2 = select(positive, larger, smaller);
+    const Wide b2 = select(positive, smaller, larger);
+    const Wide a = sqrt(a2);
+    const Wide minus = a - t.c, plus = a + t.c;
+    const Wide rs = (minus * minus + b2) / (plus * plus + b2);
+    const Wide ac = a * t.c;
+    const Wide p_minus = ac - t.s2, p_plus = ac + t.s2;
+    const Wide rp = (p_minus * p_minus + b2 * t.c2) / (p_plus * p_plus + b2 * t.c2);
+    return N::real(Wide(0.5) * rs * (Wide(1) + rp));
+  }
+};
+
+}  // namespace gonio::fresnel

@@ -1,0 +1,61 @@
+// A specular lobe: amplitude(wi, wo) * F(h.k) * scale, the frame that the microfacet models share.
+//
+// Shape gives the amplitude (once for all channels); Fresnel and the colour scale differ by channel.
+#pragma once
+
+#include "models/parameter_values.h"
+#include "numeric/type_list.h"
+#include "parts/fresnel.h"
+#include "parts/geometry.h"
+
+namespace gonio {
+
+inline constexpr Parameter kScale{.name = "scale",
+                                  .meaning = "colour multiplier of the specular part",
+                                  .unit = "1",
+                                  .lower = 0,
+                                  .upper = 1e6,
+                                  .start = 1,
+                                  .kind = Kind::colour};
+
+template <class Model, class Fresnel>
+struct Lobe {
+  template <class S>
+  using Shape = typename Model::template Shape<S>;
+
+  template <class S>
+  struct Channel {
+    S scale;
+    typename Fresnel::template Channel<S> fresnel;
+  };
+
+  template <class N>
+  struct Terms {
+    typename N::Real amplitude;
+    typename Fresnel::template Terms<N> fresnel;
+  };
+
+  template <class S>
+  static Shape<S> shape(const ParameterValues<S>& p) { return Model::shape(p); }
+
+  template <class S>
+  static Channel<S> channel(const ParameterValues<S>& p, int c) { return {p.colour("scale", c), Fresnel::channel(p, c)}; }
+
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Shape<typename N::Scalar>& shape, const Geometry<N>& g) {
+    return {min(N::largest(), Model::template amplitude<N>(shape, g)), typename Fresnel::template Terms<N>(g)};
+  }
+
+  template <class N>
+  static GONIO_INLINE typename N::Real value(const Terms<N>& t, const Channel<typename N::Scalar>& c) {
+    using Real = typename N::Real;
+    return t.amplitude * (Real(c.scale) * Fresnel::template reflectance<N>(t.fresnel, c.fresnel));
+  }
+};
+
+// The kinds of a microfacet model, in the order of fresnel::kWords.
+template <class Model>
+using FresnelKinds = TypeList<Lobe<Model, fresnel::None>, Lobe<Model, fresnel::Schlick>, Lobe<Model, fresnel::Dielectric>,
+                              Lobe<Model, fresnel::Conductor>>;
+
+}  // namespace gonio
