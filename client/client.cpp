@@ -1,0 +1,114 @@
+#include "client/client.h"
+
+#include <google/protobuf/util/json_util.h>
+#include <grpcpp/create_channel.h>
+#include <grpcpp/impl/codegen/proto_utils.h>
+#include <grpcpp/security/credentials.h>
+#include <grpcpp/support/channel_arguments.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "client/convert.h"
+#include "client/retry.h"
+#include "client/rpc.h"
+#include "client/state.h"
+#include "gonio/v1/models.pb.h"
+
+namespace gonio::client {
+namespace {
+
+Outcome check(const ClientOptions& options) {
+  if (options.chunk_pairs == 0) return bad_value("chunk_pairs", "0", "1 or more");
+  if (options.in_flight < 1) {
+    return bad_value("in_flight", std::to_string(options.in_flight), "1 or more");
+  }
+  if (options.max_retries < 0) {
+    return bad_value("max_retries", std::to_string(options.max_retries), "0 or more");
+  }
+  if (options.deadline.count() < 0) {
+    return bad_value("deadline", std::to_string(options.deadline.count()) + " ms", "0 or more");
+  }
+  return Ok{};
+}
+
+grpc::ChannelArguments arguments(const ClientOptions& options) {
+  grpc::ChannelArguments arguments;
+  const int connect_timeout = static_cast<int>(options.connect_timeout.count());
+  const int backoff = static_cast<int>(options.backoff.count());
+  // Each Client has a connection of its own: two of them in one program do not slow each other
+  // down.
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  // A retry must find the channel willing to connect again.
+  arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, std::max(backoff / 2, 1));
+  arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 1000);
+  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, std::max(connect_timeout, 1));
+  // Proxies cost two thirds of the throughput; a web proxy in the environment is not meant for
+  // this.
+  arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
+  return arguments;
+}
+
+template <class Message>
+grpc::ByteBuffer to_buffer(const Message& message) {
+  const grpc::Slice slice(message.SerializeAsString());
+  return {&slice, 1};
+}
+
+Result<gonio::v1::ListModelsResponse> list(const Peer& peer, const ClientOptions& options,
+                                           std::string_view name) {
+  gonio::v1::ListModelsRequest request;
+  request.set_name(std::string(name));
+  Patience patience(options, std::nullopt);
+  auto bytes = call(peer, kListModelsMethod, to_buffer(request), patience);
+  if (!bytes) return bytes.error();
+  gonio::v1::ListModelsResponse response;
+  if (!grpc::SerializationTraits<gonio::v1::ListModelsResponse>::Deserialize(&*bytes, &response)
+           .ok()) {
+    return Error{ErrorCode::internal, peer.name + " sent a list that cannot be read", {}, {}, {}};
+  }
+  return response;
+}
+
+}  // namespace
+
+Client::Client(std::unique_ptr<const State> state) : state_(std::move(state)) {}
+Client::~Client() = default;
+Client::Client(Client&&) noexcept = default;
+Client& Client::operator=(Client&&) noexcept = default;
+
+Result<Client> Client::connect(const std::string& address, const ClientOptions& options) {
+  if (address.empty()) return bad_value("address", "empty", "host:port or unix:/path");
+  return from_channel(
+      grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments(options)),
+      "the server at " + address, options);
+}
+
+Result<Client> Client::from_channel(std::shared_ptr<grpc::Channel> channel, std::string name,
+                                    const ClientOptions& options) {
+  if (auto checked = check(options); !checked) return checked.error();
+  return Client(
+      std::make_unique<const State>(State{Peer{std::move(channel), std::move(name)}, options}));
+}
+
+Result<Catalogue> Client::list_models(std::string_view name) const {
+  auto response = list(state_->peer, state_->options, name);
+  if (!response) return response.error();
+  return catalogue_of(*response);
+}
+
+Result<std::string> Client::list_models_json(std::string_view name) const {
+  auto response = list(state_->peer, state_->options, name);
+  if (!response) return response.error();
+  google::protobuf::util::JsonPrintOptions options;
+  options.add_whitespace = true;
+  options.always_print_primitive_fields = true;
+  options.preserve_proto_field_names = true;
+  std::string json;
+  const auto status = google::protobuf::util::MessageToJsonString(*response, &json, options);
+  if (!status.ok()) return Error{ErrorCode::internal, status.ToString(), {}, {}, {}};
+  return json;
+}
+
+}  // namespace gonio::client

@@ -1,0 +1,159 @@
+// The gonio client: evaluates materials on a server. This is the header to read first.
+//
+//   auto client = gonio::client::Client::connect("localhost:50051");
+//   auto gold = gonio::client::Material::from_json(R"({"model": "ggx", "parameters": {"f0": [1,
+//   0.86, 0.57]}})"); std::vector<float> wi = {0, 0, 1}, wo = {0.6f, 0, 0.8f}, values(3); auto
+//   report = client->evaluate(*gold, wi, wo, values);  // Result<Report>: the values, or why not
+//
+// Directions live in the local shading frame: normal (0,0,1), tangents u = (1,0,0) and v = (0,1,0);
+// `wi` points to the light and `wo` to the viewer, both away from the surface; interleaved xyz,
+// three numbers per pair. They may be off unit length by 1e-3 (it is corrected). Values are f(wi,
+// wo) in 1/sr without a cosine, interleaved: all channels of the first pair, then of the second. A
+// pair that cannot be evaluated gets the value 0 and a flag (see client/types.h); its neighbours
+// are not affected. What comes back depends on nothing but pair, material, precision and
+// instruction set.
+//
+// Up to `chunk_pairs` pairs travel as one call; more as a stream of chunks, several of them in
+// flight. What a server refuses for the moment, or loses because it goes down, is sent again, a
+// bounded number of times and within the deadline: evaluation changes nothing on the server, so
+// that repeating it is safe.
+//
+// Errors are values (base/result.h) and name the field or the server's address. Where one comes
+// back, the contents of the caller's arrays are unspecified. Thread safety: one Client may be used
+// from many threads at once.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "client/grid.h"
+#include "client/material.h"
+#include "client/models.h"
+#include "client/types.h"
+
+namespace grpc {
+class Channel;
+}
+
+namespace gonio::client {
+
+struct ClientOptions {
+  // For a call as a whole, with its retries; 0 means none. Without one, a server that hangs makes
+  // the call hang.
+  std::chrono::milliseconds deadline{0};
+  // After this long, an address that does not answer at all counts as unreachable. Not for
+  // from_channel().
+  std::chrono::milliseconds connect_timeout{5000};
+  // Pairs in a chunk; fewer are taken where an answer would exceed 4 MiB.
+  std::size_t chunk_pairs = 65536;
+  // Chunks on their way at a time.
+  int in_flight = 4;
+  // Tries after the first without any progress between them; 0 means never again.
+  int max_retries = 4;
+  // The pause before the first retry, doubled for each further one up to 2 s, and varied by a
+  // random fifth.
+  std::chrono::milliseconds backoff{100};
+};
+
+struct EvaluateOptions {
+  InstructionSet instruction_set = InstructionSet::best;
+  // In place of ClientOptions::deadline.
+  std::optional<std::chrono::milliseconds> deadline;
+};
+
+// Gives the next pairs: writes n <= wi.size() / 3 of them to the front of both spans and returns n;
+// 0 ends the input. Called on the thread that called evaluate_chunks; an error ends the evaluation
+// and is passed on.
+template <class In>
+using PairSource = std::function<Result<std::size_t>(std::span<In> wi, std::span<In> wo)>;
+
+// A run of results. All of it is valid during the call of the sink only.
+template <class In, class Out>
+struct Chunk {
+  std::uint64_t first = 0;  // the number of its first pair
+  std::size_t pairs = 0;
+  int channels = 0;
+  std::span<const In> wi, wo;           // as the source gave them; empty for a grid
+  std::span<const Out> values;          // pairs x channels
+  std::span<const std::uint8_t> flags;  // one byte a pair
+};
+
+// Takes the results in the order of the pairs, on the thread that called; an error ends the
+// evaluation and is passed on.
+template <class In, class Out>
+using ChunkSink = std::function<Outcome(const Chunk<In, Out>&)>;
+
+class Client {
+ public:
+  // For "host:port", "[::1]:port" or "unix:/path". Nothing is sent yet: a server that is not there
+  // shows at the first call. Errors: options that make no sense.
+  static Result<Client> connect(const std::string& address, const ClientOptions& options = {});
+  // Over a channel of the caller's own making; it must accept answers of more than gRPC's default
+  // of 4 MiB. `name` is what errors call it.
+  static Result<Client> from_channel(std::shared_ptr<grpc::Channel> channel, std::string name,
+                                     const ClientOptions& options = {});
+
+  ~Client();
+  Client(Client&&) noexcept;
+  Client& operator=(Client&&) noexcept;
+
+  // The models, or the one called `name`. Errors: not_found.
+  [[nodiscard]] Result<Catalogue> list_models(std::string_view name = {}) const;
+  // The same answer as JSON: gonio.v1.ListModelsResponse, its fields named as in the .proto.
+  [[nodiscard]] Result<std::string> list_models_json(std::string_view name = {}) const;
+
+  // How many values a pair has, which is also the cheapest way to have a material checked.
+  [[nodiscard]] Result<int> channels(const Material& material) const;
+
+  // Evaluates wi.size() / 3 pairs. float values are Precision::fast, double values
+  // Precision::reference. `values` holds pairs x channels numbers; `flags` one byte a pair, or
+  // nothing. Errors: lengths that do not fit (before anything is sent, or, for a wrong number of
+  // channels, with the first answer), and what the server says.
+  Result<Report> evaluate(const Material& material, std::span<const float> wi,
+                          std::span<const float> wo, std::span<float> values,
+                          std::span<std::uint8_t> flags = {},
+                          const EvaluateOptions& options = {}) const;
+  Result<Report> evaluate(const Material& material, std::span<const float> wi,
+                          std::span<const float> wo, std::span<double> values,
+                          std::span<std::uint8_t> flags = {},
+                          const EvaluateOptions& options = {}) const;
+  Result<Report> evaluate(const Material& material, std::span<const double> wi,
+                          std::span<const double> wo, std::span<double> values,
+                          std::span<std::uint8_t> flags = {},
+                          const EvaluateOptions& options = {}) const;
+
+  // The same for the grid.size() pairs of a grid, in its order.
+  Result<Report> evaluate(const Material& material, const Grid& grid, std::span<float> values,
+                          std::span<std::uint8_t> flags = {},
+                          const EvaluateOptions& options = {}) const;
+  Result<Report> evaluate(const Material& material, const Grid& grid, std::span<double> values,
+                          std::span<std::uint8_t> flags = {},
+                          const EvaluateOptions& options = {}) const;
+
+  // Any number of pairs in little memory: from a source, to a sink. In/Out: float/float,
+  // float/double or double/double.
+  template <class In, class Out>
+  Result<Report> evaluate_chunks(const Material& material, const PairSource<In>& source,
+                                 const ChunkSink<In, Out>& sink,
+                                 const EvaluateOptions& options = {}) const;
+  // Out: float or double.
+  template <class Out>
+  Result<Report> evaluate_chunks(const Material& material, const Grid& grid,
+                                 const ChunkSink<Out, Out>& sink,
+                                 const EvaluateOptions& options = {}) const;
+
+ private:
+  struct State;
+  explicit Client(std::unique_ptr<const State> state);
+  std::unique_ptr<const State> state_;
+};
+
+}  // namespace gonio::client

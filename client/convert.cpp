@@ -1,0 +1,117 @@
+#include "client/convert.h"
+
+namespace gonio::client {
+namespace {
+
+static_assert(flag::not_unit == gonio::v1::PAIR_FLAG_NOT_UNIT);
+static_assert(flag::not_finite == gonio::v1::PAIR_FLAG_NOT_FINITE);
+static_assert(flag::zero == gonio::v1::PAIR_FLAG_ZERO);
+static_assert(flag::incident_below_horizon == gonio::v1::PAIR_FLAG_INCIDENT_BELOW_HORIZON);
+static_assert(flag::outgoing_below_horizon == gonio::v1::PAIR_FLAG_OUTGOING_BELOW_HORIZON);
+static_assert(flag::outside_data == gonio::v1::PAIR_FLAG_OUTSIDE_DATA);
+
+Role role_of(gonio::v1::ModelRole role) {
+  switch (role) {
+    case gonio::v1::MODEL_ROLE_DIFFUSE:
+      return Role::diffuse;
+    case gonio::v1::MODEL_ROLE_SPECULAR:
+      return Role::specular;
+    case gonio::v1::MODEL_ROLE_MEASURED:
+      return Role::measured;
+    default:
+      return Role::unknown;
+  }
+}
+
+ParameterInfo parameter_of(const gonio::v1::Parameter& parameter) {
+  return {parameter.name(),
+          parameter.meaning(),
+          parameter.unit(),
+          parameter.lower(),
+          parameter.upper(),
+          parameter.start(),
+          parameter.logarithmic(),
+          parameter.colour(),
+          {parameter.words().begin(), parameter.words().end()}};
+}
+
+ModelInfo model_of(const gonio::v1::Model& model) {
+  ModelInfo info;
+  info.name = model.name();
+  info.summary = model.summary();
+  info.source = model.source();
+  info.role = role_of(model.role());
+  for (const auto& parameter : model.parameters())
+    info.parameters.push_back(parameter_of(parameter));
+  info.fast = error_bound_of(model.fast());
+  info.reference = error_bound_of(model.reference());
+  return info;
+}
+
+}  // namespace
+
+gonio::v1::InstructionSet to_wire(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::baseline:
+      return gonio::v1::INSTRUCTION_SET_BASELINE;
+    case InstructionSet::avx2:
+      return gonio::v1::INSTRUCTION_SET_AVX2;
+    case InstructionSet::avx512:
+      return gonio::v1::INSTRUCTION_SET_AVX512;
+    case InstructionSet::best:
+      break;
+  }
+  return gonio::v1::INSTRUCTION_SET_UNSPECIFIED;
+}
+
+gonio::v1::Precision to_wire(Precision precision) {
+  return precision == Precision::reference ? gonio::v1::PRECISION_REFERENCE
+                                           : gonio::v1::PRECISION_FAST;
+}
+
+gonio::v1::Grid to_wire(const Grid& grid) {
+  gonio::v1::Grid message;
+  message.mutable_theta_i()->Assign(grid.theta_i.begin(), grid.theta_i.end());
+  message.mutable_phi_i()->Assign(grid.phi_i.begin(), grid.phi_i.end());
+  message.mutable_theta_o()->Assign(grid.theta_o.begin(), grid.theta_o.end());
+  message.mutable_phi_o()->Assign(grid.phi_o.begin(), grid.phi_o.end());
+  message.mutable_theta_h()->Assign(grid.theta_h.begin(), grid.theta_h.end());
+  message.mutable_theta_d()->Assign(grid.theta_d.begin(), grid.theta_d.end());
+  message.mutable_phi_d()->Assign(grid.phi_d.begin(), grid.phi_d.end());
+  return message;
+}
+
+InstructionSet instruction_set_of(gonio::v1::InstructionSet set) {
+  switch (set) {
+    case gonio::v1::INSTRUCTION_SET_BASELINE:
+      return InstructionSet::baseline;
+    case gonio::v1::INSTRUCTION_SET_AVX2:
+      return InstructionSet::avx2;
+    case gonio::v1::INSTRUCTION_SET_AVX512:
+      return InstructionSet::avx512;
+    default:
+      return InstructionSet::best;
+  }
+}
+
+Precision precision_of(gonio::v1::Precision precision) {
+  return precision == gonio::v1::PRECISION_REFERENCE ? Precision::reference : Precision::fast;
+}
+
+ErrorBound error_bound_of(const gonio::v1::ErrorBound& bound) {
+  return {bound.relative(), bound.above(), bound.note()};
+}
+
+Catalogue catalogue_of(const gonio::v1::ListModelsResponse& response) {
+  Catalogue catalogue;
+  for (const auto& model : response.models()) catalogue.models.push_back(model_of(model));
+  catalogue.materials.assign(response.materials().begin(), response.materials().end());
+  for (const auto set : response.instruction_sets()) {
+    catalogue.instruction_sets.push_back(
+        instruction_set_of(static_cast<gonio::v1::InstructionSet>(set)));
+  }
+  catalogue.server_version = response.version();
+  return catalogue;
+}
+
+}  // namespace gonio::client

@@ -1,0 +1,90 @@
+#include "client/evaluation.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "client/convert.h"
+#include "client/exchange.h"
+
+namespace gonio::client {
+namespace {
+
+// An answer stays below the 4 MiB that a gRPC channel accepts by default.
+constexpr std::size_t kMaxAnswerBytes = std::size_t{3} << 20;
+
+}  // namespace
+
+Evaluation::Evaluation(const Peer& peer, const ClientOptions& options,
+                       const EvaluateOptions& evaluate_options, const Material& material,
+                       Precision precision)
+    : peer_(peer), options_(options), patience_(options, evaluate_options.deadline) {
+  head_.mutable_material()->ParseFromString(material.wire());
+  head_.set_precision(to_wire(precision));
+  head_.set_instruction_set(to_wire(evaluate_options.instruction_set));
+}
+
+void Evaluation::set_grid(const Grid& grid) { *head_.mutable_grid() = to_wire(grid); }
+
+std::size_t Evaluation::chunk_limit(std::size_t channels) const {
+  const bool f64 = head_.precision() == gonio::v1::PRECISION_REFERENCE;
+  const std::size_t pair_bytes = channels * (f64 ? sizeof(double) : sizeof(float));
+  return std::min(options_.chunk_pairs, std::max<std::size_t>(kMaxAnswerBytes / pair_bytes, 1));
+}
+
+Result<Report> Evaluation::probe() {
+  static constexpr std::array<float, 3> kNormal = {0, 0, 1};
+  class Nowhere final : public ChunkReceiver {
+    [[nodiscard]] bool ordered() const override { return false; }
+    Outcome accept(const OutgoingChunk&, const wire::Response&, Report&) override { return Ok{}; }
+  } receiver;
+  ArraySource<float> source(kNormal, kNormal);
+  gonio::v1::EvaluateRequest head = head_;
+  head.clear_directions();
+  Exchange exchange(peer_, options_, std::move(head), patience_, source, receiver);
+  if (auto outcome = exchange.run_call(1); !outcome) return outcome.error();
+  return exchange.report();
+}
+
+Result<Report> Evaluation::run(ChunkSource& source, ChunkReceiver& receiver, std::size_t channels,
+                               std::optional<std::uint64_t> total) {
+  const std::size_t limit = chunk_limit(channels);
+  Exchange exchange(peer_, options_, head_, patience_, source, receiver);
+  const bool one_call = total && *total <= limit;
+  auto outcome = one_call ? exchange.run_call(limit) : exchange.run_stream(limit);
+  if (!outcome) return outcome.error();
+  return exchange.report();
+}
+
+Outcome check(const Grid& grid) {
+  const std::array<std::pair<const char*, std::size_t>, 4> spherical = {
+      {{"theta_i", grid.theta_i.size()},
+       {"phi_i", grid.phi_i.size()},
+       {"theta_o", grid.theta_o.size()},
+       {"phi_o", grid.phi_o.size()}}};
+  const std::array<std::pair<const char*, std::size_t>, 3> half = {
+      {{"theta_h", grid.theta_h.size()},
+       {"theta_d", grid.theta_d.size()},
+       {"phi_d", grid.phi_d.size()}}};
+  const auto given = [](const auto& axis) { return axis.second != 0; };
+  const auto check_axes = [&](const auto& wanted, const auto& others) -> Outcome {
+    if (std::any_of(others.begin(), others.end(), given)) {
+      return bad_value("grid", "axes of both kinds",
+                       "theta_i, phi_i, theta_o, phi_o, or theta_h, theta_d, phi_d");
+    }
+    const auto empty = std::find_if_not(wanted.begin(), wanted.end(), given);
+    if (empty == wanted.end()) return Ok{};
+    return bad_value(std::string("grid.") + empty->first, "empty", "one angle or more");
+  };
+  if (auto outcome = grid.half_angle() ? check_axes(half, spherical) : check_axes(spherical, half);
+      !outcome) {
+    return outcome;
+  }
+  if (!grid.size()) {
+    return bad_value("the number of pairs of the grid", "above 2^63", "2^63 - 1 or fewer",
+                     ErrorCode::resource_exhausted);
+  }
+  return Ok{};
+}
+
+}  // namespace gonio::client

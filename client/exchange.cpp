@@ -1,0 +1,197 @@
+#include "client/exchange.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "client/convert.h"
+#include "wire/codec.h"
+#include "wire/status.h"
+
+namespace gonio::client {
+namespace {
+
+constexpr std::uint32_t kSlot = 0;  // one material a stream
+
+const wire::PairSlices* directions_of(const OutgoingChunk& chunk) {
+  return chunk.directions ? &*chunk.directions : nullptr;
+}
+
+Error malformed(const Peer& peer, const std::string& what) {
+  return {
+      ErrorCode::internal, peer.name + " sent an answer that makes no sense: " + what, {}, {}, {}};
+}
+
+// Lengths are checked here once, so that the receivers can rely on them.
+Outcome check_lengths(const Peer& peer, const OutgoingChunk& chunk, const wire::Response& answer,
+                      const Report& report) {
+  const std::size_t channels = answer.head.channels();
+  const bool f64 = report.precision == Precision::reference;
+  if (channels == 0 || (report.channels != 0 && std::cmp_not_equal(channels, report.channels))) {
+    return malformed(peer, std::to_string(channels) + " channels");
+  }
+  if (answer.values.count != chunk.pairs * channels || answer.is_f64 != f64) {
+    return malformed(peer, std::to_string(answer.values.count) +
+                               (answer.is_f64 ? " float64" : " float32") + " values for " +
+                               std::to_string(chunk.pairs) + " pairs of " +
+                               std::to_string(channels) + " channels");
+  }
+  if (answer.flags.count != 0 && answer.flags.count != chunk.pairs) {
+    return malformed(peer, std::to_string(answer.flags.count) + " flags for " +
+                               std::to_string(chunk.pairs) + " pairs");
+  }
+  return Ok{};
+}
+
+}  // namespace
+
+Exchange::Exchange(const Peer& peer, const ClientOptions& options, gonio::v1::EvaluateRequest head,
+                   Patience& patience, ChunkSource& source, ChunkReceiver& receiver)
+    : peer_(peer),
+      head_(std::move(head)),
+      head_without_material_(head_),
+      patience_(patience),
+      source_(source),
+      receiver_(receiver),
+      in_flight_(static_cast<std::size_t>(options.in_flight)) {
+  head_without_material_.clear_material();
+  report_.precision = precision_of(head_.precision());
+}
+
+void Exchange::set_range(const OutgoingChunk& chunk) {
+  if (chunk.directions) return;
+  for (auto* head : {&head_, &head_without_material_}) {
+    head->mutable_grid()->set_first(chunk.first);
+    head->mutable_grid()->set_count(chunk.pairs);
+  }
+}
+
+Outcome Exchange::run_call(std::size_t limit) {
+  auto next = source_.next(limit);
+  if (!next) return next.error();
+  if (!*next) return Ok{};
+  const OutgoingChunk& chunk = **next;
+  set_range(chunk);
+  auto bytes =
+      call(peer_, kEvaluateMethod, wire::encode_request(head_, directions_of(chunk)), patience_);
+  if (!bytes) return bytes.error();
+  auto answer = wire::decode_response(*bytes);
+  if (!answer) return malformed(peer_, answer.error().message);
+  return deliver(chunk, *answer);
+}
+
+Outcome Exchange::run_stream(std::size_t limit) {
+  limit_ = limit;
+  for (;;) {
+    Stream stream(peer_, patience_);
+    auto finished = run_one_stream(stream);
+    if (!finished) return finished.error();
+    if (*finished) return Ok{};
+    const Failure failure = stream.failure();
+    if (!patience_.pause_to_retry(failure)) return failure.error;
+    for (auto& [sequence, pending] : pending_) pending.on_its_way = false;
+  }
+}
+
+Result<bool> Exchange::run_one_stream(Stream& stream) {
+  bool with_material = true;
+  for (;;) {
+    if (stream.writable()) {
+      if (auto sent = send_next(stream, with_material); !sent) return sent.error();
+    }
+    if (done()) {
+      stream.close();
+      return true;
+    }
+    const Stream::Event event = stream.next();
+    if (event == Stream::Event::ended) return false;
+    if (event == Stream::Event::writable) continue;
+    if (auto taken = take(stream.message()); !taken) return taken.error();
+  }
+}
+
+Result<std::optional<std::uint64_t>> Exchange::choose_next() {
+  std::size_t unanswered = 0;
+  for (const auto& [sequence, pending] : pending_) {
+    if (pending.answer) continue;
+    if (!pending.on_its_way) return std::optional(sequence);
+    ++unanswered;
+  }
+  // Answers that wait for their turn take memory too.
+  const bool full = unanswered >= in_flight_ || pending_.size() >= 2 * in_flight_;
+  if (at_end_ || full) return std::optional<std::uint64_t>{};
+  auto next = source_.next(limit_);
+  if (!next) return next.error();
+  at_end_ = !next->has_value();
+  if (at_end_) return std::optional<std::uint64_t>{};
+  pending_[next_sequence_].chunk = std::move(**next);
+  return std::optional(next_sequence_++);
+}
+
+Outcome Exchange::send_next(Stream& stream, bool& with_material) {
+  auto sequence = choose_next();
+  if (!sequence) return sequence.error();
+  if (!*sequence) return Ok{};
+  Pending& pending = pending_.at(**sequence);
+  set_range(pending.chunk);
+  stream.write(wire::encode_stream_request(**sequence, kSlot,
+                                           with_material ? head_ : head_without_material_,
+                                           directions_of(pending.chunk)));
+  pending.on_its_way = true;
+  with_material = false;
+  return Ok{};
+}
+
+Outcome Exchange::take(const grpc::ByteBuffer& message) {
+  auto response = wire::decode_stream_response(message);
+  if (!response) return malformed(peer_, response.error().message);
+  const auto found = pending_.find(response->sequence);
+  if (found == pending_.end() || !found->second.on_its_way || found->second.answer) {
+    return malformed(
+        peer_, "sequence number " + std::to_string(response->sequence) + ", which is not awaited");
+  }
+  if (const auto* detail = std::get_if<gonio::v1::ErrorDetail>(&response->result)) {
+    return take_error(response->sequence, *detail);
+  }
+  patience_.progress();
+  return take_answer(response->sequence, std::get<wire::Response>(std::move(response->result)));
+}
+
+Outcome Exchange::take_error(std::uint64_t sequence, const gonio::v1::ErrorDetail& detail) {
+  const Failure failure = failure_of(detail);
+  if (!patience_.pause_to_retry(failure)) return failure.error;
+  pending_.at(sequence).on_its_way = false;
+  return Ok{};
+}
+
+Outcome Exchange::take_answer(std::uint64_t sequence, wire::Response answer) {
+  if (!receiver_.ordered()) {
+    auto taken = pending_.extract(sequence);
+    return deliver(taken.mapped().chunk, answer);
+  }
+  pending_.at(sequence).answer = std::move(answer);
+  while (!pending_.empty() && pending_.begin()->second.answer) {
+    auto taken = pending_.extract(pending_.begin());
+    if (auto delivered = deliver(taken.mapped().chunk, *taken.mapped().answer); !delivered) {
+      return delivered;
+    }
+  }
+  return Ok{};
+}
+
+Outcome Exchange::deliver(const OutgoingChunk& chunk, const wire::Response& answer) {
+  if (auto fit = check_lengths(peer_, chunk, answer, report_); !fit) return fit;
+  const gonio::v1::Report& cost = answer.head.report();
+  if (report_.channels == 0) {
+    report_.channels = static_cast<int>(answer.head.channels());
+    report_.instruction_set = instruction_set_of(cost.instruction_set());
+    report_.error_bound = error_bound_of(cost.error_bound());
+  }
+  report_.pairs += chunk.pairs;
+  report_.kernel_seconds += cost.kernel_seconds();
+  report_.retries = patience_.retries();
+  return receiver_.accept(chunk, answer, report_);
+}
+
+}  // namespace gonio::client

@@ -1,0 +1,67 @@
+// An evaluation on its way: chunks out, answers in, over one call or as many streams as it takes.
+// Internal to the client library.
+//
+// Chunks are numbered; answers are matched by number and may come in any order. A chunk is kept
+// until it is answered, so that it can be sent again on the next stream when one breaks. Thread
+// safety: used by one thread.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+
+#include "base/result.h"
+#include "client/chunks.h"
+#include "client/retry.h"
+#include "client/rpc.h"
+#include "client/stream.h"
+#include "gonio/v1/evaluate.pb.h"
+
+namespace gonio::client {
+
+class Exchange {
+ public:
+  // `head`: the request without directions, or with a grid's axes.
+  Exchange(const Peer& peer, const ClientOptions& options, gonio::v1::EvaluateRequest head,
+           Patience& patience, ChunkSource& source, ChunkReceiver& receiver);
+
+  // Everything in one unary call; `limit` is at least the number of pairs.
+  Outcome run_call(std::size_t limit);
+  // Everything over streams, at most `limit` pairs a chunk.
+  Outcome run_stream(std::size_t limit);
+
+  [[nodiscard]] const Report& report() const { return report_; }
+
+ private:
+  struct Pending {
+    OutgoingChunk chunk;
+    bool on_its_way = false;
+    std::optional<wire::Response> answer;  // held back until its turn
+  };
+
+  Result<bool> run_one_stream(Stream& stream);  // false: the stream broke
+  Outcome send_next(Stream& stream, bool& with_material);
+  Result<std::optional<std::uint64_t>> choose_next();
+  void set_range(const OutgoingChunk& chunk);
+  Outcome take(const grpc::ByteBuffer& message);
+  Outcome take_answer(std::uint64_t sequence, wire::Response answer);
+  Outcome take_error(std::uint64_t sequence, const gonio::v1::ErrorDetail& detail);
+  Outcome deliver(const OutgoingChunk& chunk, const wire::Response& answer);
+  [[nodiscard]] bool done() const { return at_end_ && pending_.empty(); }
+
+  const Peer& peer_;
+  gonio::v1::EvaluateRequest head_;
+  gonio::v1::EvaluateRequest head_without_material_;  // for all but the first chunk of a stream
+  Patience& patience_;
+  ChunkSource& source_;
+  ChunkReceiver& receiver_;
+  Report report_;
+  std::size_t in_flight_;
+  std::size_t limit_ = 0;
+  std::map<std::uint64_t, Pending> pending_;  // by sequence number; not yet delivered
+  std::uint64_t next_sequence_ = 0;
+  bool at_end_ = false;
+};
+
+}  // namespace gonio::client

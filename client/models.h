@@ -1,0 +1,50 @@
+// What a server offers: its models, their parameters and what they are worth. Thread safety: plain
+// values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "client/types.h"
+
+namespace gonio::client {
+
+enum class Role : std::uint8_t {
+  unknown,   // of a newer server
+  diffuse,   // may stand alone and as the diffuse base of a sum
+  specular,  // may stand alone and as a specular lobe of a sum
+  measured,  // stands alone: a table
+};
+
+struct ParameterInfo {
+  std::string name;
+  std::string meaning;
+  std::string unit;  // "1" for a pure number, "rad" for an angle
+  double lower = 0;  // what evaluation accepts, both ends included
+  double upper = 0;
+  double start = 0;          // taken when the parameter is not given
+  bool logarithmic = false;  // vary it on a logarithmic scale
+  bool colour = false;       // one number, or one per channel
+  std::vector<std::string>
+      words;  // for a word: those allowed, the default first; bounds do not apply
+};
+
+struct ModelInfo {
+  std::string name;
+  std::string summary;  // one line: what it is
+  std::string source;   // paper and equation
+  Role role = Role::unknown;
+  std::vector<ParameterInfo> parameters;
+  ErrorBound fast;
+  ErrorBound reference;
+};
+
+struct Catalogue {
+  std::vector<ModelInfo> models;
+  std::vector<std::string> materials;  // names of the materials that the server holds, sorted
+  std::vector<InstructionSet> instruction_sets;  // of the server's processor, the best last
+  std::string server_version;
+};
+
+}  // namespace gonio::client

@@ -1,0 +1,32 @@
+// One unary call, with its retries. Internal to the client library.
+//
+// Every call has a completion queue of its own, which the calling thread polls: no thread is woken
+// for an answer.
+#pragma once
+
+#include <grpcpp/channel.h>
+#include <grpcpp/generic/generic_stub.h>
+#include <grpcpp/support/byte_buffer.h>
+
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+#include "client/retry.h"
+
+namespace gonio::client {
+
+// The server as the calls see it. Thread safe.
+struct Peer {
+  std::shared_ptr<grpc::Channel> channel;
+  std::string name;  // in messages
+};
+
+inline constexpr const char* kEvaluateMethod = "/gonio.v1.GonioService/Evaluate";
+inline constexpr const char* kEvaluateStreamMethod = "/gonio.v1.GonioService/EvaluateStream";
+inline constexpr const char* kListModelsMethod = "/gonio.v1.GonioService/ListModels";
+
+Result<grpc::ByteBuffer> call(const Peer& peer, const char* method, const grpc::ByteBuffer& request,
+                              Patience& patience);
+
+}  // namespace gonio::client

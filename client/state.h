@@ -1,0 +1,20 @@
+// What a Client holds. Internal to the client library. Thread safety: immutable.
+#pragma once
+
+#include "client/client.h"
+#include "client/evaluation.h"
+#include "client/rpc.h"
+
+namespace gonio::client {
+
+struct Client::State {
+  Peer peer;
+  ClientOptions options;
+
+  [[nodiscard]] Evaluation evaluation(const Material& material, Precision precision,
+                                      const EvaluateOptions& evaluate_options) const {
+    return {peer, options, evaluate_options, material, precision};
+  }
+};
+
+}  // namespace gonio::client

@@ -1,0 +1,69 @@
+// What the client library takes and gives: precision, instruction sets, flags, the report of an
+// evaluation.
+//
+// Thread safety: plain values.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gonio::client {
+
+enum class Precision : std::uint8_t {
+  fast,       // float32 in and out
+  reference,  // float64 throughout
+};
+
+enum class InstructionSet : std::uint8_t {
+  best,  // in a request: the best one that the server's processor has
+  baseline,
+  avx2,
+  avx512,
+};
+
+std::string_view name_of(Precision precision);  // "fast", "reference"
+std::string_view name_of(InstructionSet set);   // "auto", "baseline", "avx2", "avx512"
+std::optional<InstructionSet> instruction_set_of(std::string_view name);  // the inverse
+
+// Bits of a pair's flag byte. A flagged pair has the value 0 in every channel; 0 means nothing to
+// report.
+namespace flag {
+inline constexpr std::uint8_t not_unit = 1;    // a length differs from 1 by more than 1e-3
+inline constexpr std::uint8_t not_finite = 2;  // a component is NaN or infinite
+inline constexpr std::uint8_t zero = 4;        // a direction is (0,0,0)
+inline constexpr std::uint8_t incident_below_horizon = 8;   // wi is at or below the horizon
+inline constexpr std::uint8_t outgoing_below_horizon = 16;  // wo is at or below the horizon
+inline constexpr std::uint8_t outside_data = 32;  // a measured material has no valid data there
+}  // namespace flag
+
+inline constexpr std::size_t kFlagBits = 6;
+// What bit number `bit` (0 to kFlagBits - 1) means, in words: "not unit", ..., "outside the data".
+std::string_view flag_meaning(std::size_t bit);
+
+// |f - truth| <= relative * truth wherever truth > above. `note` says where that does not hold;
+// empty if it simply holds.
+struct ErrorBound {
+  double relative = 0;
+  double above = 0;
+  std::string note;
+};
+
+// What an evaluation cost and what it is worth.
+struct Report {
+  std::uint64_t pairs = 0;
+  int channels = 0;
+  double kernel_seconds = 0;  // spent in the BRDF kernels, summed over the server's threads
+  InstructionSet instruction_set = InstructionSet::best;
+  Precision precision = Precision::fast;
+  ErrorBound error_bound;
+  std::uint64_t flagged = 0;  // pairs with any flag
+  std::array<std::uint64_t, kFlagBits>
+      flagged_by{};  // pairs with this bit; a pair may have several
+  int retries = 0;   // calls, streams or chunks that had to be sent again
+};
+
+}  // namespace gonio::client
