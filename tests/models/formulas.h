@@ -1,0 +1,135 @@
+// The formulas of the models as the corrected sheet has them, for the oracle and the errata tests.
+//
+// Written from the formulas alone and sharing nothing with src/: naive on purpose, they are exact
+// because their number type is.
+#pragma once
+
+#include <algorithm>
+
+#include "models/real.h"
+
+namespace gonio::testing {
+
+template <class Real>
+struct Vec {
+  Real x, y, z;
+};
+
+template <class Real>
+Real dot(const Vec<Real>& a, const Vec<Real>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class Real>
+Vec<Real> sum(const Vec<Real>& a, const Vec<Real>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+template <class Real>
+Vec<Real> normalized(const Vec<Real>& a) {
+  const Real length = root(dot(a, a));
+  return {a.x / length, a.y / length, a.z / length};
+}
+
+// wi/|wi| + wo/|wo| of directions of any length, right to a relative rounding even where the two
+// nearly cancel: a/|a| + b/|b| = (a + b)/|a| + b (|a| - |b|)/(|a||b|), and |a|^2 - |b|^2 =
+// (a - b).(a + b), in which a + b is exact.
+template <class Real>
+Vec<Real> sum_of_normalized(const Vec<Real>& a, const Vec<Real>& b) {
+  const Real la = root(dot(a, a)), lb = root(dot(b, b));
+  const Vec<Real> s = sum(a, b);
+  const Real t = dot({a.x - b.x, a.y - b.y, a.z - b.z}, s) / ((la + lb) * la * lb);
+  return {s.x / la + b.x * t, s.y / la + b.y * t, s.z / la + b.z * t};
+}
+
+template <class Real>
+Real schlick(Real c, Real f0) {
+  const Real r = 1 - c;
+  return f0 + (1 - f0) * r * r * r * r * r;
+}
+
+// Unpolarised reflectance of a dielectric boundary, in the form of Cook and Torrance with
+// g - c = (eta^2 - 1)/(g + c), or rounding would reflect where eta is 1.
+template <class Real>
+Real dielectric(Real c, Real eta) {
+  const Real contrast = (eta - 1) * (eta + 1);
+  const Real g2 = contrast + c * c;
+  if (g2 < 0) return 1;
+  const Real g = root(g2);
+  const Real difference = contrast / (g + c);
+  const Real a = difference / (g + c);
+  const Real b = (c * (g + c) - 1) / (c * difference + 1);
+  return a * a * (1 + b * b) / 2;
+}
+
+// Unpolarised reflectance of a boundary of refractive index N = eta + i k: half of |rs|^2 + |rp|^2
+// with rs = (c - r)/(c + r), rp = (N^2 c - r)/(N^2 c + r), r = sqrt(N^2 - 1 + c^2).
+template <class Real>
+Real conductor(Real c, Real eta, Real k) {
+  const Real n2_re = eta * eta - k * k;
+  const Real n2_im = 2 * eta * k;
+  const Real re2 = n2_re - 1 + c * c;
+  const Real modulus = root(re2 * re2 + n2_im * n2_im);
+  // The square root's parts, each without cancellation.
+  Real re = root((modulus + (re2 < 0 ? -re2 : re2)) / 2);
+  Real im = re > 0 ? n2_im / (2 * re) : Real(0);
+  if (re2 < 0) std::swap(re, im);
+  const auto ratio = [&](Real a_re, Real a_im) {
+    const Real minus = (a_re - re) * (a_re - re) + (a_im - im) * (a_im - im);
+    const Real plus = (a_re + re) * (a_re + re) + (a_im + im) * (a_im + im);
+    return minus / plus;
+  };
+  return (ratio(c, 0) + ratio(n2_re * c, n2_im * c)) / 2;
+}
+
+// Normal distribution of Beckmann, slope m.
+template <class Real>
+Real beckmann(const Vec<Real>& h, Real m) {
+  const Real cos2 = h.z * h.z;
+  const Real tan2 = (h.x * h.x + h.y * h.y) / cos2;
+  return exponential(-tan2 / (m * m)) / (pi<Real>() * m * m * cos2 * cos2);
+}
+
+// Masking and shadowing of V-grooves (Torrance and Sparrow); hk = h.wi = h.wo.
+template <class Real>
+Real v_groove(Real n_wi, Real n_wo, Real n_h, Real hk) {
+  const Real masking = 2 * n_h * n_wo / hk;
+  const Real shadowing = 2 * n_h * n_wi / hk;
+  return std::min(Real(1), std::min(masking, shadowing));
+}
+
+// Anisotropic Trowbridge-Reitz (GGX) distribution of normals.
+template <class Real>
+Real trowbridge_reitz(const Vec<Real>& h, Real alpha_x, Real alpha_y) {
+  const Real a = h.x / alpha_x, b = h.y / alpha_y;
+  const Real s = a * a + b * b + h.z * h.z;
+  return 1 / (pi<Real>() * alpha_x * alpha_y * s * s);
+}
+
+// Smith's Lambda for the same.
+template <class Real>
+Real smith_lambda(const Vec<Real>& w, Real alpha_x, Real alpha_y) {
+  const Real a = alpha_x * w.x, b = alpha_y * w.y;
+  return (root(1 + (a * a + b * b) / (w.z * w.z)) - 1) / 2;
+}
+
+// (n.h)^e with the exponent of Ashikhmin and Shirley, and its normalisation over 8 pi.
+template <class Real>
+Real anisotropic_phong(const Vec<Real>& h, Real nu, Real nv) {
+  const Real sin2 = h.x * h.x + h.y * h.y;
+  const Real e = sin2 > 0 ? (nu * h.x * h.x + nv * h.y * h.y) / sin2 : Real(0);
+  return root((nu + 1) * (nv + 1)) / (8 * pi<Real>()) * power(h.z, e);
+}
+
+// 28/(23 pi) (1 - (1 - n.k1/2)^5) (1 - (1 - n.k2/2)^5), the diffuse part of Ashikhmin and Shirley,
+// multiplied out so that it keeps its digits at any cosine.
+template <class Real>
+Real coupled_diffuse(Real cos_i, Real cos_o) {
+  const auto part = [](Real z) {
+    const Real w = z / 2;
+    return w * (5 - w * (10 - w * (10 - w * (5 - w))));
+  };
+  return 28 / (23 * pi<Real>()) * part(cos_i) * part(cos_o);
+}
+
+}  // namespace gonio::testing

@@ -1,0 +1,142 @@
+#include "models/oracle.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace gonio::testing {
+namespace {
+
+enum class Model { lambertian, ashikhmin_shirley, cook_torrance, ggx };
+enum class Reflectance { none, schlick, dielectric, conductor };
+
+Model model_of(const std::string& name) {
+  static const std::map<std::string, Model> kModels{{"lambertian", Model::lambertian},
+                                                    {"ashikhmin_shirley", Model::ashikhmin_shirley},
+                                                    {"cook_torrance", Model::cook_torrance},
+                                                    {"ggx", Model::ggx}};
+  return kModels.at(name);
+}
+
+// The word that is given, else what the other parameters imply.
+Reflectance reflectance_of(const LobeSpec& spec) {
+  static const std::map<std::string, Reflectance> kWords{{"none", Reflectance::none},
+                                                         {"schlick", Reflectance::schlick},
+                                                         {"dielectric", Reflectance::dielectric},
+                                                         {"conductor", Reflectance::conductor}};
+  if (const auto word = spec.parameters.find("fresnel"); word != spec.parameters.end()) {
+    return kWords.at(std::get<std::string>(word->second));
+  }
+  if (spec.parameters.contains("f0")) return Reflectance::schlick;
+  if (spec.parameters.contains("k")) return Reflectance::conductor;
+  if (spec.parameters.contains("eta")) return Reflectance::dielectric;
+  return Reflectance::none;
+}
+
+}  // namespace
+
+template <class Real>
+struct Oracle<Real>::Lobe {
+  Model model;
+  Reflectance reflectance;
+  std::map<std::string, std::vector<double>> numbers;
+
+  [[nodiscard]] Real at(const std::string& name, std::size_t channel = 0) const {
+    const std::vector<double>& values = numbers.at(name);
+    return static_cast<Real>(values.at(values.size() == 1 ? 0 : channel));
+  }
+};
+
+template <class Real>
+typename Oracle<Real>::Lobe Oracle<Real>::lobe_of(const LobeSpec& spec) {
+  Lobe lobe{model_of(spec.model), reflectance_of(spec), {{"scale", {1.0}}}};
+  for (const auto& [name, value] : spec.parameters) {
+    if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+      lobe.numbers[name] = *numbers;
+    }
+  }
+  return lobe;
+}
+
+template <class Real>
+Oracle<Real>::Oracle(const MaterialSpec& spec) {
+  std::vector<Lobe> lobes;
+  if (spec.model) lobes.push_back(lobe_of(*spec.model));
+  if (spec.diffuse) lobes.push_back(lobe_of(*spec.diffuse));
+  for (const LobeSpec& lobe : spec.specular) lobes.push_back(lobe_of(lobe));
+  for (const Lobe& lobe : lobes) {
+    for (const auto& [name, values] : lobe.numbers) channels_ = std::max(channels_, values.size());
+  }
+  lobes_ = std::make_shared<const std::vector<Lobe>>(std::move(lobes));
+}
+
+template <class Real>
+Real Oracle<Real>::fresnel(const Lobe& lobe, Real c, std::size_t channel) {
+  switch (lobe.reflectance) {
+    case Reflectance::none:
+      return 1;
+    case Reflectance::schlick:
+      return schlick(c, lobe.at("f0", channel));
+    case Reflectance::dielectric:
+      return dielectric(c, lobe.at("eta", channel));
+    case Reflectance::conductor:
+      return conductor(c, lobe.at("eta", channel), lobe.at("k", channel));
+  }
+  throw std::logic_error("no such reflectance");
+}
+
+// The part of a specular lobe that all channels share.
+template <class Real>
+Real Oracle<Real>::without_fresnel(const Lobe& lobe, const Pair& pair) {
+  const auto& [wi, wo, h, hk] = pair;
+  switch (lobe.model) {
+    case Model::ashikhmin_shirley:
+      return anisotropic_phong(h, lobe.at("nu"), lobe.at("nv")) / (hk * std::max(wi.z, wo.z));
+    case Model::cook_torrance:
+      return beckmann(h, lobe.at("m")) * v_groove(wi.z, wo.z, h.z, hk) / (4 * wi.z * wo.z);
+    case Model::ggx: {
+      const Real ax = lobe.at("alpha_x"), ay = lobe.at("alpha_y");
+      const Real shadowing = 1 / (1 + smith_lambda(wi, ax, ay) + smith_lambda(wo, ax, ay));
+      return trowbridge_reitz(h, ax, ay) * shadowing / (4 * wi.z * wo.z);
+    }
+    case Model::lambertian:
+      break;
+  }
+  throw std::logic_error("not a specular lobe");
+}
+
+template <class Real>
+void Oracle<Real>::add(const Lobe& lobe, const Pair& pair, std::span<Real> f) {
+  if (lobe.model == Model::lambertian) {
+    for (std::size_t c = 0; c < f.size(); ++c) f[c] += lobe.at("rd", c) / pi<Real>();
+    return;
+  }
+  const Real shared = without_fresnel(lobe, pair);
+  if (lobe.model != Model::ashikhmin_shirley) {
+    for (std::size_t c = 0; c < f.size(); ++c) {
+      f[c] += lobe.at("scale", c) * shared * fresnel(lobe, pair.hk, c);
+    }
+    return;
+  }
+  const Real diffuse = coupled_diffuse(pair.wi.z, pair.wo.z);
+  for (std::size_t c = 0; c < f.size(); ++c) {
+    const Real rs = lobe.at("rs", c);
+    f[c] += lobe.at("scale", c) * shared * schlick(pair.hk, rs);
+    f[c] += lobe.at("rd", c) * (1 - rs) * diffuse;
+  }
+}
+
+template <class Real>
+void Oracle<Real>::evaluate(Vec<Real> wi, Vec<Real> wo, std::span<Real> f) const {
+  std::ranges::fill(f, Real(0));
+  if (!(wi.z > 0 && wo.z > 0)) return;
+  Pair pair{normalized(wi), normalized(wo), {}, 0};
+  const Vec<Real> twice = sum_of_normalized(wi, wo);
+  pair.h = normalized(twice);
+  pair.hk = root(dot(twice, twice)) / 2;
+  for (const Lobe& lobe : *lobes_) add(lobe, pair, f);
+}
+
+template class Oracle<Quad>;
+template class Oracle<long double>;
+
+}  // namespace gonio::testing
