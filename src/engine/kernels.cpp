@@ -17,10 +17,13 @@ namespace gonio::GONIO_ISA {
 namespace {
 
 template <class N, class Kind, class In>
-void analytic(const void* constants, const KernelInput<In>& in, const KernelOutput<typename N::Out>& out) {
+void analytic(const void* constants, const KernelInput<In>& input, const KernelOutput<typename N::Out>& output) {
   using Real = typename N::Real;
-  // A copy that no store can alias, so that constants stay in registers.
+  using RealScalar = typename N::RealScalar;
   const auto& given = *static_cast<const Constants<Kind>*>(constants);
+  // Copies that no store can alias, so that they stay in registers.
+  const KernelInput<In> in = input;
+  const KernelOutput<typename N::Out> out = output;
   const auto shape = given.shape;
   const int channels = given.channels;
   for (std::size_t i = 0; i < in.count; i += raw::kWidth) {
@@ -29,7 +32,7 @@ void analytic(const void* constants, const KernelInput<In>& in, const KernelOutp
     if (valid != kAllLanes) note_flags(in, i, valid, out.flags);
     const auto terms = Kind::template terms<N>(shape, g);
     for (int c = 0; c < channels; ++c) {
-      const Real value = Kind::template value<N>(terms, given.channel[c]);
+      const Real value = Kind::template value<N>(terms, given.wide[c], given.template channel<RealScalar>(c));
       typename N::Out* to = out.values + static_cast<std::size_t>(c) * out.channel_stride + i;
       Real result = select(g.valid, min(N::largest(), value), Real(0));
       if (out.accumulate) result = min(N::largest(), result + Real::load(to));

@@ -8,11 +8,15 @@
 
 namespace gonio::GONIO_ISA {
 
+template <class T, class In>
+GONIO_INLINE Vec3<T> load(const In* const (&component)[3], std::size_t i) {
+  return {T::load(component[0] + i), T::load(component[1] + i), T::load(component[2] + i)};
+}
+
 template <class N, class In>
 GONIO_INLINE Geometry<N> load_geometry(const KernelInput<In>& in, std::size_t i) {
-  using Wide = typename N::Wide;
-  return {{Wide::load(in.wi[0] + i), Wide::load(in.wi[1] + i), Wide::load(in.wi[2] + i)},
-          {Wide::load(in.wo[0] + i), Wide::load(in.wo[1] + i), Wide::load(in.wo[2] + i)}};
+  return {load<typename N::Wide>(in.wi, i), load<typename N::Wide>(in.wo, i), load<typename N::Real>(in.wi, i),
+          load<typename N::Real>(in.wo, i)};
 }
 
 // The flags of one direction. `below` is the flag for a direction at or below the horizon.

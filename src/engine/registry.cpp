@@ -34,7 +34,10 @@ std::shared_ptr<const void> prepare_kind(const ParameterValues<double>& values, 
   auto constants = std::make_shared<Constants<Kind>>();
   constants->shape = Kind::shape(values);
   constants->channels = channels;
-  for (int c = 0; c < channels; ++c) constants->channel[c] = Kind::channel(values, c);
+  for (int c = 0; c < channels; ++c) {
+    constants->wide[c] = Kind::channel(values, c);
+    constants->real[c] = to_float<Kind::template Channel>(constants->wide[c]);
+  }
   return constants;
 }
 

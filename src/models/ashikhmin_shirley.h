@@ -5,8 +5,8 @@
 //   f_d = 28 rd / (23 pi) (1 - rs) (1 - (1 - n.wi/2)^5) (1 - (1 - n.wo/2)^5)
 //
 // Source: Ashikhmin & Shirley 2000, "An Anisotropic Phong BRDF Model", equations 4 and 5.
-// Stable forms: (n.h)^e = exp(-1/2 (nu Hx^2 + nv Hy^2) log(1 + s/c) / s) with s = Hx^2 + Hy^2, c = Hz^2 is smooth through
-// h = n, where e is 0/0; 1 - (1 - w)^5 = w (5 - 10w + 10w^2 - 5w^3 + w^4) does not cancel at grazing.
+// Stable forms: (n.h)^e = 2^(-e/2 log2(1 + s/c)) with s = Hx^2 + Hy^2, c = Hz^2 of H = wi + wo, whose logarithm is exact to
+// the last digits near h = n; there e is 0/0, but bounded by nu and nv, and the logarithm 0; 1 - (1 - w)^5 = w (5 - 10w + 10w^2 - 5w^3 + w^4) does not cancel at grazing.
 #pragma once
 
 #include <array>
@@ -43,7 +43,7 @@ struct AshikhminShirley {
 
   template <class S>
   struct Shape {
-    S half_nu, half_nv, norm;
+    S minus_half_nu, minus_half_nv, norm;
   };
   template <class S>
   struct Channel {
@@ -58,7 +58,7 @@ struct AshikhminShirley {
   static Shape<S> shape(const ParameterValues<S>& p) {
     using std::sqrt;
     const S nu = p.number("nu"), nv = p.number("nv");
-    return {S(0.5) * nu, S(0.5) * nv, sqrt((nu + S(1)) * (nv + S(1))) / S(8 * 3.14159265358979323846)};
+    return {S(-0.5) * nu, S(-0.5) * nv, sqrt((nu + S(1)) * (nv + S(1))) / S(8 * 3.14159265358979323846)};
   }
 
   template <class S>
@@ -68,15 +68,18 @@ struct AshikhminShirley {
   }
 
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Shape<typename N::Scalar>& k, const Geometry<N>& g) {
+  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>& k, const Geometry<N>& g) {
     using Wide = typename N::Wide;
     using Real = typename N::Real;
     const Vec3<Wide> h = g.h();
     const Wide x2 = h.x * h.x, y2 = h.y * h.y;
-    const Wide exponent = -(Wide(k.half_nu) * x2 + Wide(k.half_nv) * y2) * N::log1p_over(x2 + y2, h.z * h.z);
-    const Real cos_d = N::root(g.cos2_d());
+    const Wide s = x2 + y2;
+    // At h = n both factors vanish; the bound keeps 0/0 away.
+    const Wide e = (Wide(k.minus_half_nu) * x2 + Wide(k.minus_half_nv) * y2) / max(s, Wide(1e-200));
+    const Wide exponent = e * N::log2_1p(s, h.z * h.z);
+    const Real cos_d = g.cos_d();
     // Divided one after the other: the product of two tiny cosines would underflow.
-    const Real amplitude = N::times_exp(Real(k.norm) / cos_d / N::real(g.cos_max()), exponent);
+    const Real amplitude = N::times_exp2(Real(k.norm) / cos_d / max(g.cos_i(), g.cos_o()), exponent);
     const Real w = g.one_minus(cos_d);
     return {min(N::largest(), amplitude), (w * w) * (w * w) * w, falloff(g.cos_i()) * falloff(g.cos_o())};
   }
@@ -89,7 +92,8 @@ struct AshikhminShirley {
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real value(const Terms<N>& t, const Channel<typename N::Scalar>& c) {
+  static GONIO_INLINE typename N::Real value(const Terms<N>& t, const Channel<typename N::WideScalar>&,
+                                             const Channel<typename N::RealScalar>& c) {
     using Real = typename N::Real;
     return t.amplitude * (Real(c.specular) + Real(c.specular_rest) * t.w5) + Real(c.diffuse) * t.diffuse;
   }

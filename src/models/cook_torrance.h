@@ -34,17 +34,17 @@ struct CookTorrance {
 
   template <class S>
   struct Shape {
-    S minus_inverse_m2, norm;
+    S minus_inverse_m2, norm;  // the first times log2(e)
   };
 
   template <class S>
   static Shape<S> shape(const ParameterValues<S>& p) {
     const S m = p.number("m");
-    return {S(-1) / (m * m), S(1) / (S(3.14159265358979323846) * m * m)};
+    return {S(-1.44269504088896341) / (m * m), S(1) / (S(3.14159265358979323846) * m * m)};
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::Scalar>& k, const Geometry<N>& g) {
+  static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k, const Geometry<N>& g) {
     using Wide = typename N::Wide;
     using Real = typename N::Real;
     const Vec3<Wide> h = g.h();
@@ -53,8 +53,9 @@ struct CookTorrance {
     const Wide tan2 = (h.x * h.x + h.y * h.y) * inverse_z2;
     // Beyond this the exponential is 0 for every m; the bound keeps its factor finite.
     const Real sec2 = N::real(min(h2 * inverse_z2, Wide(1e9)));
-    const Real masking = N::real(h.z / (g.cos_max() * max(Wide(4) * g.cos_min() * h.z, h2)));
-    return N::times_exp(min(N::largest(), Real(k.norm) * (sec2 * sec2) * masking), tan2 * Wide(k.minus_inverse_m2));
+    const Wide cos_max = max(g.wi.z, g.wo.z), cos_min = min(g.wi.z, g.wo.z);
+    const Real masking = N::real(h.z / (cos_max * max(Wide(4) * cos_min * h.z, h2)));
+    return N::times_exp2(min(N::largest(), Real(k.norm) * (sec2 * sec2) * masking), tan2 * Wide(k.minus_inverse_m2));
   }
 };
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "models/description.h"
 #include "parts/lobe.h"
@@ -45,22 +46,22 @@ struct Ggx {
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::Scalar>& k, const Geometry<N>& g) {
+  static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k, const Geometry<N>& g) {
     using Wide = typename N::Wide;
     using Real = typename N::Real;
     const Vec3<Wide> h = g.h();
     const Wide stretched = h.x * h.x * Wide(k.inverse_ax2) + h.y * h.y * Wide(k.inverse_ay2) + h.z * h.z;
     const Real ratio = N::real(g.h_length2() / stretched);
-    const Real visible = g.cos_o() * length<N>(k, g.wi) + g.cos_i() * length<N>(k, g.wo);
+    const Real visible = g.cos_o() * length<N>(k, g.real_wi) + g.cos_i() * length<N>(k, g.real_wo);
     return Real(k.norm) * (ratio * ratio) / max(visible, Real(1e-38));
   }
 
   // L(w): the length of w with its tangential part scaled by the roughness.
   template <class N>
-  static GONIO_INLINE typename N::Real length(const Shape<typename N::Scalar>& k, const Vec3<typename N::Wide>& w) {
+  static GONIO_INLINE typename N::Real length(const Shape<typename N::WideScalar>& k, const Vec3<typename N::Real>& w) {
     using Real = typename N::Real;
-    const Real x = N::real(w.x), y = N::real(w.y), z = N::real(w.z);
-    return sqrt(Real(k.ax2) * x * x + Real(k.ay2) * y * y + z * z);
+    using std::sqrt;
+    return sqrt(Real(k.ax2) * (w.x * w.x) + Real(k.ay2) * (w.y * w.y) + w.z * w.z);
   }
 };
 

@@ -41,9 +41,10 @@ struct Lambertian {
   static Channel<S> channel(const ParameterValues<S>& p, int c) { return {p.colour("rd", c) / S(3.14159265358979323846)}; }
 
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Shape<typename N::Scalar>&, const Geometry<N>&) { return {}; }
+  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>&, const Geometry<N>&) { return {}; }
   template <class N>
-  static GONIO_INLINE typename N::Real value(const Terms<N>&, const Channel<typename N::Scalar>& c) {
+  static GONIO_INLINE typename N::Real value(const Terms<N>&, const Channel<typename N::WideScalar>&,
+                                             const Channel<typename N::RealScalar>& c) {
     return typename N::Real(c.value);
   }
 };

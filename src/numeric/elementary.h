@@ -14,62 +14,67 @@ GONIO_INLINE T polynomial(T x, const double (&c)[N]) {
   return sum;
 }
 
-// log(1 + s/c) / s for s >= 0, c > 0 normal; 1/c in the limit s = 0. Relative error 4e-12 (quick), 1e-15 (exact).
+// log2(1 + s/c) for s >= 0 and normal c > 0. Relative error 1e-9 (quick), 1e-15 (exact), down to s = 0.
 //
-// With k chosen so that (c + s) / (c 2^k) lies in [1/sqrt2, sqrt2], the logarithm is k log 2 plus the series of
-// 2 artanh z, z = (c + s - c 2^k) / (c + s + c 2^k). For k = 0 the numerator is s itself: nothing cancels.
+// With k chosen so that (c + s) / (c 2^k) lies in [1/sqrt2, sqrt2], it is k plus the series of 2 artanh(z) / log 2,
+// z = (c + s - c 2^k) / (c + s + c 2^k). For k = 0 the numerator is s itself: nothing cancels.
 template <Exactness E>
-GONIO_INLINE Double<E> log1p_over(Double<E> s, Double<E> c) {
+GONIO_INLINE Double<E> log2_1p(Double<E> s, Double<E> c) {
   using D = Double<E>;
-  static constexpr double kQuick[] = {2, 2.0 / 3, 2.0 / 5, 2.0 / 7, 2.0 / 9, 2.0 / 11, 2.0 / 13};
-  static constexpr double kExact[] = {2,        2.0 / 3,  2.0 / 5,  2.0 / 7,  2.0 / 9, 2.0 / 11,
-                                      2.0 / 13, 2.0 / 15, 2.0 / 17, 2.0 / 19, 2.0 / 21};
-  constexpr double kSqrt2 = 1.41421356237309505, kLog2 = 0.693147180559945309;
+  constexpr double kLog2E = 1.44269504088896341, kSqrt2 = 1.41421356237309505;
+  // Minimax in z^2, relative error 7e-10; and Taylor's.
+  static constexpr double kQuick[] = {kLog2E * 1.9999999986202206, kLog2E * 0.6666681604184228,
+                                      kLog2E * 0.39974784613174996, kLog2E * 0.2992593099817825};
+  static constexpr double kExact[] = {kLog2E * 2,      kLog2E * 2 / 3,  kLog2E * 2 / 5,  kLog2E * 2 / 7,
+                                      kLog2E * 2 / 9,  kLog2E * 2 / 11, kLog2E * 2 / 13, kLog2E * 2 / 15,
+                                      kLog2E * 2 / 17, kLog2E * 2 / 19, kLog2E * 2 / 21};
   const D a = c + s;
   const D k = max(exponent(a * kSqrt2 * reciprocal_estimate(c)), D(0));
   const D b = scale(c, k);
-  const Mask reduced = D(0.5) < k;
-  const D inverse = D(1) / (a + b);
-  const D z = select(reduced, a - b, s) * inverse;
-  D series;
+  const D z = select(D(0.5) < k, a - b, s) / (a + b);
   if constexpr (E == Exactness::exact) {
-    series = polynomial(z * z, kExact);
+    return k + z * polynomial(z * z, kExact);
   } else {
-    series = polynomial(z * z, kQuick);
+    return k + z * polynomial(z * z, kQuick);
   }
-  const D far = (k * kLog2 + z * series) / max(s, D(0x1p-1000));
-  return select(reduced, far, series * inverse);
 }
 
-// The parts of e^x = m 2^k with |log m| <= log(2)/2: k and r = log m.
-template <Exactness E>
-GONIO_INLINE void reduce_exp(Double<E> x, Double<E>& k, Double<E>& r) {
-  k = round(x * 1.44269504088896341);
-  r = (x - k * 0.693147180369123816490) - k * 1.90821492927058770002e-10;
-}
-
-// amplitude * e^x for x <= 0 and finite amplitude, without underflow before the product. Relative error 2e-7.
-GONIO_INLINE Float times_exp(Float amplitude, Double<Exactness::quick> x) {
-  // Minimax on [-log(2)/2, log(2)/2]; relative error 3.1e-9 before rounding to float.
-  static constexpr double kExp[] = {1, 1, 0.4999999344775907, 0.16666520631336332,
-                                    0.04166838805202262, 0.008368716919949275, 0.0013814598410815057};
-  Double<Exactness::quick> k, r;
-  reduce_exp(max(x, Double<Exactness::quick>(-200)), k, r);
-  const Float whole = narrow(k);
-  const Float half = narrow(round(k * 0.5));
-  const Float mantissa = amplitude * polynomial(narrow(r), kExp);
-  return scale(scale(mantissa, half), whole - half);
+// amplitude * 2^x for x <= 0 and finite amplitude, without underflow before the product. Relative error 2e-7.
+GONIO_INLINE Float times_exp2(Float amplitude, Double<Exactness::quick> x) {
+  // Minimax on [-1/2, 1/2], relative error 2e-9 before rounding to float.
+  static constexpr double kExp2[] = {1,
+                                     0.6931472028680505,
+                                     0.24022647911955672,
+                                     0.055503324402892004,
+                                     0.009618437481978418,
+                                     0.0013398887338137845,
+                                     0.00015353351536451972};
+  const Double<Exactness::quick> clamped = max(x, Double<Exactness::quick>(-290));
+  const Double<Exactness::quick> k = round(clamped);
+  return scale(amplitude * polynomial(narrow(clamped - k), kExp2), narrow(k));
 }
 
 // The same in float64. Relative error 5e-16 (1 + |x|).
-GONIO_INLINE Double<Exactness::exact> times_exp(Double<Exactness::exact> amplitude, Double<Exactness::exact> x) {
+GONIO_INLINE Double<Exactness::exact> times_exp2(Double<Exactness::exact> amplitude, Double<Exactness::exact> x) {
   using D = Double<Exactness::exact>;
-  static constexpr double kExp[] = {1,           1,           1.0 / 2,       1.0 / 6,        1.0 / 24,        1.0 / 120,       1.0 / 720,
-                                    1.0 / 5040, 1.0 / 40320, 1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600, 1.0 / 6227020800};
-  D k, r;
-  reduce_exp(max(x, D(-700)), k, r);
+  static constexpr double kExp[] = {1,
+                                    1,
+                                    1.0 / 2,
+                                    1.0 / 6,
+                                    1.0 / 24,
+                                    1.0 / 120,
+                                    1.0 / 720,
+                                    1.0 / 5040,
+                                    1.0 / 40320,
+                                    1.0 / 362880,
+                                    1.0 / 3628800,
+                                    1.0 / 39916800,
+                                    1.0 / 479001600,
+                                    1.0 / 6227020800};
+  const D k = round(max(x, D(-1000)));
+  const D r = (max(x, D(-1000)) - k) * 0.693147180559945309;
   const D result = amplitude * scale(polynomial(r, kExp), k);
-  return select(D(-700) < x, result, D(0));
+  return select(D(-1000) < x, result, D(0));
 }
 
 // The angle of (x, y) for x, y >= 0, in [0, pi/2]; 0 for (0, 0). Error 1e-10 (quick), 3e-16 (exact).

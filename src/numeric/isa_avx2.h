@@ -44,15 +44,27 @@ GONIO_INLINE D scale(D x, D k) {
   const __m256i bits = _mm256_castpd_si256(k + _mm256_set1_pd(0x1.8p52));
   return _mm256_castsi256_pd(_mm256_add_epi64(_mm256_castpd_si256(x), _mm256_slli_epi64(bits, 52)));
 }
-// x * 2^k for whole k >= -126; smaller k give 0.
-GONIO_INLINE F scale(F x, F k) {
-  const __m256i biased = _mm256_add_epi32(_mm256_cvtps_epi32(max(k, broadcast(-127.0F))), _mm256_set1_epi32(127));
+// x * 2^k for whole k in [-126, 127].
+GONIO_INLINE F scale_once(F x, F k) {
+  const __m256i biased = _mm256_add_epi32(_mm256_cvtps_epi32(k), _mm256_set1_epi32(127));
   return x * _mm256_castsi256_ps(_mm256_slli_epi32(biased, 23));
+}
+// x * 2^k for whole k in [-378, 127]: three steps, so that a large x meets a small 2^k without underflow.
+GONIO_INLINE F scale(F x, F k) {
+  const F low = max(k, broadcast(-126.0F));
+  const F rest = k - low;
+  const F middle = max(rest, broadcast(-126.0F));
+  return scale_once(scale_once(scale_once(x, low), middle), rest - middle);
 }
 
 GONIO_INLINE void widen(F x, D& lo, D& hi) {
   lo = _mm256_cvtps_pd(_mm256_castps256_ps128(x));
   hi = _mm256_cvtps_pd(_mm256_extractf128_ps(x, 1));
+}
+// The kWidth floats at p as doubles. Converting from memory spares the shuffles that widen() needs.
+GONIO_INLINE void load_widened(const float* p, D& lo, D& hi) {
+  lo = _mm256_cvtps_pd(_mm_loadu_ps(p));
+  hi = _mm256_cvtps_pd(_mm_loadu_ps(p + 4));
 }
 GONIO_INLINE F narrow(D lo, D hi) {
   return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm256_cvtpd_ps(lo)), _mm256_cvtpd_ps(hi), 1);

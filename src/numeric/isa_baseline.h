@@ -52,16 +52,25 @@ GONIO_INLINE D scale(D x, D k) {
   const __m128i bits = _mm_castpd_si128(k + _mm_set1_pd(0x1.8p52));
   return _mm_castsi128_pd(_mm_add_epi64(_mm_castpd_si128(x), _mm_slli_epi64(bits, 52)));
 }
-// x * 2^k for whole k >= -126; smaller k give 0.
-GONIO_INLINE F scale(F x, F k) {
-  const __m128i biased = _mm_add_epi32(_mm_cvtps_epi32(max(k, broadcast(-127.0F))), _mm_set1_epi32(127));
+// x * 2^k for whole k in [-126, 127].
+GONIO_INLINE F scale_once(F x, F k) {
+  const __m128i biased = _mm_add_epi32(_mm_cvtps_epi32(k), _mm_set1_epi32(127));
   return x * _mm_castsi128_ps(_mm_slli_epi32(biased, 23));
+}
+// x * 2^k for whole k in [-378, 127]: three steps, so that a large x meets a small 2^k without underflow.
+GONIO_INLINE F scale(F x, F k) {
+  const F low = max(k, broadcast(-126.0F));
+  const F rest = k - low;
+  const F middle = max(rest, broadcast(-126.0F));
+  return scale_once(scale_once(scale_once(x, low), middle), rest - middle);
 }
 
 GONIO_INLINE void widen(F x, D& lo, D& hi) {
   lo = _mm_cvtps_pd(x);
   hi = _mm_cvtps_pd(_mm_movehl_ps(x, x));
 }
+// The kWidth floats at p as doubles.
+GONIO_INLINE void load_widened(const float* p, D& lo, D& hi) { widen(load(p), lo, hi); }
 GONIO_INLINE F narrow(D lo, D hi) { return _mm_movelh_ps(_mm_cvtpd_ps(lo), _mm_cvtpd_ps(hi)); }
 
 GONIO_INLINE M less(F a, F b) { return _mm_cmplt_ps(a, b); }

@@ -62,7 +62,11 @@ struct Double {
   GONIO_INLINE Double(double x) : lo(raw::broadcast(x)), hi(lo) {}  // NOLINT: formulas mix in numbers
   GONIO_INLINE explicit Double(Float x) { raw::widen(x.v, lo, hi); }
 
-  static GONIO_INLINE Double load(const float* p) { return Double(Float::load(p)); }
+  static GONIO_INLINE Double load(const float* p) {
+    Double x;
+    raw::load_widened(p, x.lo, x.hi);
+    return x;
+  }
   static GONIO_INLINE Double load(const double* p) { return {raw::load(p), raw::load(p + raw::kWidth / 2)}; }
   GONIO_INLINE void store(double* p) const { raw::store(p, lo), raw::store(p + raw::kWidth / 2, hi); }
 

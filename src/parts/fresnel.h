@@ -56,29 +56,36 @@ struct None {
     GONIO_INLINE explicit Terms(const Geometry<N>&) {}
   };
   template <class N>
-  static GONIO_INLINE typename N::Real reflectance(const Terms<N>&, const Channel<typename N::Scalar>&) { return 1; }
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>&, const Channel<typename N::WideScalar>&,
+                                                   const Channel<typename N::RealScalar>&) {
+    return 1;
+  }
 };
 
 // F = f0 + (1 - f0) (1 - h.k)^5.
 struct Schlick {
   template <class S>
   struct Channel {
-    S f0;
+    S f0, rest;  // f0 and 1 - f0
   };
   template <class S>
-  static Channel<S> channel(const ParameterValues<S>& p, int c) { return {p.colour("f0", c)}; }
+  static Channel<S> channel(const ParameterValues<S>& p, int c) { 
+    const S f0 = p.colour("f0", c);
+    return {f0, S(1) - f0};
+  }
   template <class N>
   struct Terms {
     typename N::Real w5;  // (1 - h.k)^5
     GONIO_INLINE explicit Terms(const Geometry<N>& g) {
-      const auto w = g.one_minus(N::root(g.cos2_d()));
+      const auto w = g.one_minus(g.cos_d());
       w5 = (w * w) * (w * w) * w;
     }
   };
   template <class N>
-  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::Scalar>& c) {
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::WideScalar>&,
+                                                   const Channel<typename N::RealScalar>& c) {
     using Real = typename N::Real;
-    return Real(c.f0) + Real(1 - c.f0) * t.w5;
+    return Real(c.f0) + Real(c.rest) * t.w5;
   }
 };
 
@@ -102,12 +109,13 @@ struct Dielectric {
     GONIO_INLINE explicit Terms(const Geometry<N>& g) : c2(g.cos2_d()), c(N::root(c2)) {}
   };
   template <class N>
-  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::Scalar>& k) {
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::WideScalar>& k,
+                                                   const Channel<typename N::RealScalar>& real) {
     using Real = typename N::Real;
     using Wide = typename N::Wide;
     const Wide g2 = Wide(k.eta2_minus_one) + t.c2;
     const Real g = N::root(max(g2, Wide(0)));
-    const Real difference(k.eta2_minus_one), eta2(k.eta2);
+    const Real difference(real.eta2_minus_one), eta2(real.eta2);
     const Real sum = max(t.c + g, Real(1e-18));  // its square stays representable
     const Real mixed = max(eta2 * t.c + g, Real(1e-18));
     const Real s = difference / (sum * sum);
@@ -135,7 +143,8 @@ struct Conductor {
     GONIO_INLINE explicit Terms(const Geometry<N>& g) : c2(g.cos2_d()), s2(typename N::Wide(1) - c2), c(sqrt(c2)) {}
   };
   template <class N>
-  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::Scalar>& k) {
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::WideScalar>& k,
+                                                   const Channel<typename N::RealScalar>&) {
     using Wide = typename N::Wide;
     const Wide real_part = Wide(k.offset) + t.c2;  // eta^2 - k^2 - sin^2
     const Wide modulus = sqrt(real_part * real_part + Wide(k.two_eta_k * k.two_eta_k));  // a^2 + b^2

@@ -1,8 +1,8 @@
 // What every model reads of a pair of directions, in the local frame with normal (0,0,1).
 //
-// Directions come in up to 1e-3 off unit length and are normalised here. The half-vector is kept unnormalised,
-// H = wi + wo, and everything that cancels is formed in the wide type: near the mirror direction H.x and H.y are small
-// differences of large numbers; near retro-reflection wi - wo is.
+// Directions come in up to 1e-3 off unit length and are normalised here. What cancels is formed in the wide type: near the
+// mirror direction H.x and H.y are small differences of large numbers, near retro-reflection wi - wo is. The half-vector
+// is kept unnormalised, H = wi + wo. What only multiplies (the cosines) is formed in the real type.
 #pragma once
 
 #include "numeric/inline.h"
@@ -10,7 +10,7 @@
 
 namespace gonio {
 
-// | |k|^2 - 1 | for directions that are corrected: lengths within 1e-3 of 1.
+// Lengths within this of 1 are corrected; beyond, a direction is refused.
 inline constexpr double kLengthTolerance = 1e-3;
 
 template <class N>
@@ -18,29 +18,32 @@ struct Geometry {
   using Wide = typename N::Wide;
   using Real = typename N::Real;
 
-  Vec3<Wide> wi, wo;    // unit
-  typename N::Mask valid;  // both within the tolerance, finite and above the horizon
+  Vec3<Wide> wi, wo;            // unit
+  Vec3<Real> real_wi, real_wo;  // the same, each component to the precision of Real
+  typename N::Mask valid;       // both finite, within the tolerance and above the horizon
 
-  GONIO_INLINE Geometry(const Vec3<Wide>& given_i, const Vec3<Wide>& given_o) {
-    const Wide ei = length_error(given_i);
-    const Wide eo = length_error(given_o);
-    wi = N::inverse_length(ei) * given_i;
-    wo = N::inverse_length(eo) * given_o;
-    // Both bounds at once: |k|^2 - 1 lies between (1 - tol)^2 - 1 and (1 + tol)^2 - 1. A NaN fails every comparison; min
-    // may lose one, but then its length fails.
-    constexpr double kCentre = kLengthTolerance * kLengthTolerance, kRadius = 2 * kLengthTolerance;
-    const Wide d_i = ei - Wide(kCentre), d_o = eo - Wide(kCentre);
-    const Wide radius2(kRadius * kRadius);
-    valid = (d_i * d_i < radius2) & (d_o * d_o < radius2) & (Wide(0) < min(given_i.z, given_o.z));
+  // The directions as given, in both types.
+  GONIO_INLINE Geometry(const Vec3<Wide>& wide_i, const Vec3<Wide>& wide_o, const Vec3<Real>& given_i, const Vec3<Real>& given_o)
+      : wi(N::inverse_length(length_error(wide_i)) * wide_i), wo(N::inverse_length(length_error(wide_o)) * wide_o) {
+    const Real error_i = length_error(given_i), error_o = length_error(given_o);
+    real_wi = N::inverse_length(error_i) * given_i;
+    real_wo = N::inverse_length(error_o) * given_o;
+    // min may lose a NaN, but then the length's comparison fails.
+    valid = near_unit(error_i) & near_unit(error_o) & (Real(0) < min(given_i.z, given_o.z));
   }
 
   // |k|^2 - 1 without losing the small difference.
-  static GONIO_INLINE Wide length_error(const Vec3<Wide>& k) { return (k.z * k.z - Wide(1)) + k.x * k.x + k.y * k.y; }
+  template <class T>
+  static GONIO_INLINE T length_error(const Vec3<T>& k) { return (k.z * k.z - T(1)) + k.x * k.x + k.y * k.y; }
 
-  GONIO_INLINE Real cos_i() const { return N::real(wi.z); }
-  GONIO_INLINE Real cos_o() const { return N::real(wo.z); }
-  GONIO_INLINE Wide cos_max() const { return max(wi.z, wo.z); }
-  GONIO_INLINE Wide cos_min() const { return min(wi.z, wo.z); }
+  // Whether e = |k|^2 - 1 lies between (1 - tol)^2 - 1 and (1 + tol)^2 - 1; false for NaN.
+  static GONIO_INLINE typename N::Mask near_unit(Real e) {
+    const Real from_centre = e - Real(kLengthTolerance * kLengthTolerance);
+    return from_centre * from_centre < Real(4 * kLengthTolerance * kLengthTolerance);
+  }
+
+  GONIO_INLINE Real cos_i() const { return real_wi.z; }
+  GONIO_INLINE Real cos_o() const { return real_wo.z; }
 
   GONIO_INLINE Vec3<Wide> h() const { return wi + wo; }  // H, not normalised
   GONIO_INLINE Wide h_length2() const {                   // |H|^2 = 4 cos^2(theta_d)
@@ -48,10 +51,17 @@ struct Geometry {
     return dot(v, v);
   }
   GONIO_INLINE Wide cos2_d() const { return min(h_length2() * Wide(0.25), Wide(1)); }  // (h.k)^2
-  // 1 - h.k = |wi - wo|^2 / (4 (1 + h.k)), given h.k.
+  GONIO_INLINE Real cos_d() const { return N::root(cos2_d()); }                        // h.k
+  // 1 - h.k, given h.k: sin^2(theta_d) / (1 + h.k). The sine is |wi - wo| / 2 where its last digits count.
   GONIO_INLINE Real one_minus(Real cos_d) const {
-    const Vec3<Wide> d = wi - wo;
-    return N::real(dot(d, d) * Wide(0.25)) / (Real(1) + cos_d);
+    Wide sin2_d;
+    if constexpr (N::kQuick) {
+      sin2_d = Wide(1) - cos2_d();
+    } else {
+      const Vec3<Wide> d = wi - wo;
+      sin2_d = dot(d, d) * Wide(0.25);
+    }
+    return N::real(sin2_d) / (Real(1) + cos_d);
   }
 };
 

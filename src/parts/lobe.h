@@ -26,7 +26,7 @@ struct Lobe {
   template <class S>
   struct Channel {
     S scale;
-    typename Fresnel::template Channel<S> fresnel;
+    [[no_unique_address]] typename Fresnel::template Channel<S> fresnel;
   };
 
   template <class N>
@@ -42,14 +42,15 @@ struct Lobe {
   static Channel<S> channel(const ParameterValues<S>& p, int c) { return {p.colour("scale", c), Fresnel::channel(p, c)}; }
 
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Shape<typename N::Scalar>& shape, const Geometry<N>& g) {
+  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>& shape, const Geometry<N>& g) {
     return {min(N::largest(), Model::template amplitude<N>(shape, g)), typename Fresnel::template Terms<N>(g)};
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real value(const Terms<N>& t, const Channel<typename N::Scalar>& c) {
+  static GONIO_INLINE typename N::Real value(const Terms<N>& t, const Channel<typename N::WideScalar>& wide,
+                                             const Channel<typename N::RealScalar>& real) {
     using Real = typename N::Real;
-    return t.amplitude * (Real(c.scale) * Fresnel::template reflectance<N>(t.fresnel, c.fresnel));
+    return t.amplitude * (Real(real.scale) * Fresnel::template reflectance<N>(t.fresnel, wide.fresnel, real.fresnel));
   }
 };
 
