@@ -1,0 +1,25 @@
+// From a material on the wire to one that can be evaluated.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "engine/material.h"
+#include "gonio/v1/material.pb.h"
+
+namespace gonio {
+
+// Where a measured material's "file" lies; an error for one that may not be read. Empty: files are
+// not offered at all.
+using FindFile = std::function<Result<std::filesystem::path>(const std::string& file)>;
+
+// Builds a model, a sum or a measured file: everything but {"name": ...}. Errors name the field
+// with `prefix` before it, such as "material.parameters.alpha_x". Thread safety: a function without
+// state.
+Result<Material> build_material(const v1::Material& material, std::string_view prefix,
+                                const FindFile& find_file);
+
+}  // namespace gonio

@@ -1,0 +1,40 @@
+#include "server/call.h"
+
+#include <grpcpp/server_context.h>
+#include <spdlog/spdlog.h>
+
+#include <utility>
+
+namespace gonio {
+
+Outcome compute(const Backend& backend, const std::shared_ptr<Evaluation>& evaluation,
+                const CallState& state, std::function<void(bool completed)> done) {
+  if (evaluation->is_small()) {
+    evaluation->run_all();
+    done(true);
+    return Ok{};
+  }
+  ThreadPool::Job job;
+  job.tiles = evaluation->tiles();
+  job.run = [evaluation](std::size_t tile) { evaluation->run_tile(tile); };
+  job.stop = [&state] { return state.is_over(); };
+  job.done = std::move(done);
+  if (backend.pool.submit(std::move(job))) return Ok{};
+  return Error{ErrorCode::resource_exhausted,
+               "the server's queue is full: it holds at most " +
+                   std::to_string(backend.max_queued_jobs) +
+                   " batches; send this one again after " + kPushbackMilliseconds + " ms",
+               "", "", ""};
+}
+
+AccessLine::AccessLine(const char* method_name, const grpc::CallbackServerContext& context)
+    : method(method_name), peer(context.peer()) {}
+
+void AccessLine::write(spdlog::logger& logger, const std::string& outcome) const {
+  if (!logger.should_log(spdlog::level::debug)) return;
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  logger.debug("{} from {}: {}, {:.3f} ms, {} batches ({} failed), {} pairs, kernels {:.3f} ms",
+               method, peer, outcome, taken.count(), batches, failed, pairs, 1e3 * kernel_seconds);
+}
+
+}  // namespace gonio

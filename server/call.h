@@ -1,0 +1,71 @@
+// What the handlers share: the parts of the server they work with, and how a batch gets onto the
+// compute pool.
+#pragma once
+
+#include <grpcpp/support/byte_buffer.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+#include "engine/thread_pool.h"
+#include "server/evaluation.h"
+#include "server/materials.h"
+
+namespace grpc {
+class CallbackServerContext;
+}
+namespace spdlog {
+class logger;
+}
+
+namespace gonio {
+
+// References to what outlives every call. Thread safety: all of it may be used from any thread.
+struct Backend {
+  const Materials& materials;
+  ThreadPool& pool;
+  std::size_t max_message_bytes;
+  std::size_t max_queued_jobs;
+  spdlog::logger& logger;
+};
+
+// Whether a call's result is still wanted. Thread safety: any thread.
+class CallState {
+ public:
+  explicit CallState(std::chrono::system_clock::time_point deadline) : deadline_(deadline) {}
+  void cancel() { cancelled_ = true; }
+  [[nodiscard]] bool is_over() const { return cancelled_ || past_deadline(); }
+  [[nodiscard]] bool past_deadline() const { return std::chrono::system_clock::now() >= deadline_; }
+
+ private:
+  std::atomic<bool> cancelled_{false};
+  std::chrono::system_clock::time_point deadline_;
+};
+
+// Computes small batches at once and queues the others; `done(completed)` is called exactly once,
+// here or by a compute thread, unless the queue is full: then the error says so and `done` is not
+// called. The call is asked before each tile whether it is over; `state` must live until `done`.
+Outcome compute(const Backend& backend, const std::shared_ptr<Evaluation>& evaluation,
+                const CallState& state, std::function<void(bool completed)> done);
+
+// How long a client that found the queue full should wait: some jobs are done by then.
+inline constexpr const char* kPushbackMilliseconds = "20";
+
+// One line a call, at level debug.
+struct AccessLine {
+  const char* method;
+  std::string peer;
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  std::size_t batches = 0, failed = 0, pairs = 0;
+  double kernel_seconds = 0;
+
+  AccessLine(const char* method_name, const grpc::CallbackServerContext& context);
+  void write(spdlog::logger& logger, const std::string& outcome) const;
+};
+
+}  // namespace gonio

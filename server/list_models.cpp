@@ -1,0 +1,71 @@
+#include "server/list_models.h"
+
+#include <string>
+
+#include "base/version.h"
+#include "engine/isa.h"
+#include "engine/registry.h"
+#include "wire/convert.h"
+
+namespace gonio {
+namespace {
+
+v1::ModelRole to_wire(Role role) {
+  switch (role) {
+    case Role::diffuse:
+      return v1::MODEL_ROLE_DIFFUSE;
+    case Role::specular:
+      return v1::MODEL_ROLE_SPECULAR;
+    case Role::measured:
+      return v1::MODEL_ROLE_MEASURED;
+  }
+  return v1::MODEL_ROLE_UNSPECIFIED;
+}
+
+void fill(const ErrorBound& from, v1::ErrorBound& to) {
+  to.set_relative(from.relative);
+  to.set_above(from.above);
+  to.set_note(std::string(from.note));
+}
+
+void fill(const Parameter& from, v1::Parameter& to) {
+  to.set_name(std::string(from.name));
+  to.set_meaning(std::string(from.meaning));
+  to.set_unit(std::string(from.unit));
+  to.set_lower(from.lower);
+  to.set_upper(from.upper);
+  to.set_start(from.start);
+  to.set_logarithmic(from.scale == Scale::logarithmic);
+  to.set_colour(from.kind == Kind::colour);
+  for (std::string_view word : from.words) to.add_words(std::string(word));
+}
+
+void fill(const ModelDescription& from, v1::Model& to) {
+  to.set_name(std::string(from.name));
+  to.set_summary(std::string(from.summary));
+  to.set_source(std::string(from.source));
+  to.set_role(to_wire(from.role));
+  for (const Parameter& parameter : from.parameters) fill(parameter, *to.add_parameters());
+  fill(from.fast, *to.mutable_fast());
+  fill(from.reference, *to.mutable_reference());
+}
+
+}  // namespace
+
+Result<v1::ListModelsResponse> list_models(const v1::ListModelsRequest& request,
+                                           const Materials& materials) {
+  v1::ListModelsResponse response;
+  if (request.name().empty()) {
+    for (const ModelDescription& model : models()) fill(model, *response.add_models());
+  } else {
+    const auto model = find_model(request.name());
+    if (!model) return model.error();
+    fill(**model, *response.add_models());
+  }
+  for (const std::string& name : materials.names()) response.add_materials(name);
+  for (Isa isa : supported_isas()) response.add_instruction_sets(wire::to_wire(isa));
+  response.set_version(kVersion);
+  return response;
+}
+
+}  // namespace gonio

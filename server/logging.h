@@ -1,0 +1,29 @@
+// Logs on stderr, as text or as one JSON object a line.
+#pragma once
+
+#include <spdlog/formatter.h>
+#include <spdlog/logger.h>
+
+#include <memory>
+#include <string>
+
+namespace gonio {
+
+enum class LogFormat { text, json };
+
+// {"time": "2024-01-31T12:00:00.000Z", "level": "info", "message": "..."}; whatever bytes the
+// message holds, the line is valid JSON in UTF-8.
+class JsonFormatter final : public spdlog::formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& out) override;
+  [[nodiscard]] std::unique_ptr<spdlog::formatter> clone() const override;
+};
+
+// `level` is one of spdlog's names. Thread safety of the logger: any thread.
+std::shared_ptr<spdlog::logger> make_logger(const std::string& level, LogFormat format);
+
+// Sends what gRPC and protobuf would print on stderr by themselves to `logger`, which must live
+// until the end of the program.
+void capture_library_logs(spdlog::logger& logger);
+
+}  // namespace gonio

@@ -1,0 +1,117 @@
+// goniod: serves material evaluation over gRPC.
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <iostream>
+
+#include "base/version.h"
+#include "server/logging.h"
+#include "server/server.h"
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr int kFailed = 1, kWrongUsage = 2;
+
+struct Arguments {
+  gonio::ServerOptions server;
+  std::size_t max_message_mb = 64;
+  std::size_t memory_quota_mb = 1024;
+  double lame_duck_seconds = 0.5;
+  double grace_seconds = 5;
+  std::string log_level = "info";
+  std::string log_format = "text";
+};
+
+void describe(CLI::App& app, Arguments& arguments) {
+  gonio::ServerOptions& server = arguments.server;
+  server.addresses = {"127.0.0.1:50051"};
+  app.set_version_flag("--version", std::string("goniod ") + gonio::kVersion);
+  app.add_option(
+         "-l,--listen", server.addresses,
+         "Where to listen: host:port (0 takes a free port) or unix:/path; several are allowed")
+      ->capture_default_str();
+  app.add_option("-m,--materials", server.materials,
+                 "Serve every material .json and MERL .binary of this folder under its name")
+      ->type_name("DIR");
+  app.add_option("-t,--threads", server.threads, "Compute threads; 0: one per processor")
+      ->capture_default_str();
+  app.add_option("--max-queue", server.max_queued_jobs,
+                 "Batches queued or computed at a time; more are refused")
+      ->capture_default_str();
+  app.add_option("--max-message-mb", arguments.max_message_mb,
+                 "Largest message received or sent, in MiB")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("--memory-quota-mb", arguments.memory_quota_mb,
+                 "What gRPC may hold in buffers, in MiB")
+      ->check(CLI::Range(1, 1 << 20))
+      ->capture_default_str();
+  app.add_option(
+         "--lame-duck", arguments.lame_duck_seconds,
+         "Seconds to go on serving after a stop was asked for, already reporting NOT_SERVING")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->capture_default_str();
+  app.add_option("--grace", arguments.grace_seconds,
+                 "Seconds that calls under way then have to end")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->capture_default_str();
+  app.add_option("--log-level", arguments.log_level, "trace, debug, info, warning, error or off")
+      ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
+      ->capture_default_str();
+  app.add_option("--log-format", arguments.log_format, "text, or json: one object a line")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+}
+
+milliseconds to_milliseconds(double seconds) {
+  return milliseconds(static_cast<milliseconds::rep>(1000 * seconds));
+}
+
+// Before any thread exists, so that all inherit it and the signals wait for sigwait().
+sigset_t block_stop_signals() {
+  std::signal(SIGPIPE, SIG_IGN);
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGINT);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  return signals;
+}
+
+int serve(Arguments& arguments, const sigset_t& signals) {
+  arguments.server.max_message_bytes = arguments.max_message_mb << 20;
+  arguments.server.memory_quota_bytes = arguments.memory_quota_mb << 20;
+  arguments.server.lame_duck = to_milliseconds(arguments.lame_duck_seconds);
+  arguments.server.logger = gonio::make_logger(arguments.log_level, arguments.log_format == "json"
+                                                                        ? gonio::LogFormat::json
+                                                                        : gonio::LogFormat::text);
+  gonio::capture_library_logs(*arguments.server.logger);
+  auto server = gonio::Server::start(arguments.server);
+  if (!server) {
+    arguments.server.logger->error("{}", server.error().message);
+    return kFailed;
+  }
+  int signal = 0;
+  sigwait(&signals, &signal);
+  // A second one ends the program at once.
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+  (*server)->shutdown(to_milliseconds(arguments.grace_seconds));
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("goniod serves batched BRDF evaluation over gRPC. Stop it with SIGTERM or Ctrl-C.",
+               "goniod");
+  Arguments arguments;
+  describe(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kWrongUsage;
+  }
+  const sigset_t signals = block_stop_signals();
+  return serve(arguments, signals);
+}

@@ -1,0 +1,139 @@
+#include "server/materials.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "measured/table.h"
+#include "server/near_names.h"
+#include "wire/convert.h"
+
+namespace gonio {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error within(const fs::path& file, Error error) {
+  if (error.message.find(file.string()) == std::string::npos)
+    error.message = file.string() + ": " + error.message;
+  return error;
+}
+
+Error unreadable(const fs::path& path, const std::string& why) {
+  return {ErrorCode::not_found, path.string() + ": " + why, "", path.string(), ""};
+}
+
+Result<std::string> read_text(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf()))
+    return Error{ErrorCode::data_loss, "it is empty or cannot be read", "", "", ""};
+  return std::move(text).str();
+}
+
+// A stored material names files relative to its folder, and none outside: whoever may add a
+// material file need not be one who may read every file of the machine.
+FindFile files_within(const fs::path& folder) {
+  return [folder](const std::string& file) -> Result<fs::path> {
+    const fs::path root = fs::weakly_canonical(folder);
+    const fs::path path = fs::weakly_canonical(root / file);
+    const auto [end, unused] = std::mismatch(root.begin(), root.end(), path.begin(), path.end());
+    if (end == root.end() && path != root) return path;
+    return bad_value("parameters.file", "\"" + file + "\"", "a file within the materials folder");
+  };
+}
+
+Result<Material> load_json(const fs::path& folder, const fs::path& file) {
+  const auto text = read_text(file);
+  if (!text) return text.error();
+  const auto material = wire::material_from_json(*text);
+  if (!material) return material.error();
+  if (!material->name().empty()) {
+    return bad_value("name", "\"" + material->name() + "\"",
+                     "a model or a sum: a stored material has its file's name");
+  }
+  return build_material(*material, "", files_within(folder));
+}
+
+Result<Material> load_file(const fs::path& folder, const fs::path& file) {
+  std::error_code failure;
+  if (!fs::is_regular_file(file, failure)) return unreadable(file, "it is not a readable file");
+  if (file.extension() == ".json") return load_json(folder, file);
+  auto table = MeasuredTable::read_merl(file);
+  if (!table) return table.error();
+  return Material::from_table(std::move(*table), Interpolation::linear);
+}
+
+// Protobuf strings are UTF-8, file names are any bytes.
+bool can_be_sent(const std::string& name) {
+  v1::Material message;
+  message.set_name(name);
+  return v1::Material().ParseFromString(message.SerializeAsString());
+}
+
+Result<std::vector<fs::path>> material_files(const fs::path& folder) {
+  std::error_code failure;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    const fs::path extension = entry->path().extension();
+    if (extension == ".json" || extension == ".binary") files.push_back(entry->path());
+  }
+  if (failure)
+    return unreadable(folder, "the materials folder cannot be read: " + failure.message());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+Outcome Materials::add(const fs::path& folder, const fs::path& file) {
+  const std::string name = file.stem().string();
+  if (stored_.contains(name)) {
+    return unreadable(file,
+                      "there is another file for a material \"" + name + "\"; rename one of them");
+  }
+  if (!can_be_sent(name)) return unreadable(file, "the file's name is not UTF-8");
+  auto material = load_file(folder, file);
+  if (!material) return within(file, material.error());
+  stored_.emplace(name, std::move(*material));
+  return Ok{};
+}
+
+Result<Materials> Materials::load(const fs::path& folder) {
+  const auto files = material_files(folder);
+  if (!files) return files.error();
+  Materials materials;
+  for (const fs::path& file : *files) {
+    const auto added = materials.add(folder, file);
+    if (!added) return added.error();
+  }
+  return materials;
+}
+
+void Materials::allow_local_files() {
+  find_file_ = [](const std::string& file) -> Result<fs::path> { return fs::path(file); };
+}
+
+std::vector<std::string> Materials::names() const {
+  std::vector<std::string> names;
+  names.reserve(stored_.size());
+  for (const auto& [name, material] : stored_) names.push_back(name);
+  return names;
+}
+
+Result<Material> Materials::resolve(const v1::Material& material) const {
+  const bool only_a_name = !material.name().empty() && material.model().empty() &&
+                           !material.has_parameters() && !material.has_diffuse() &&
+                           material.specular_size() == 0;
+  if (!only_a_name) return build_material(material, "material.", find_file_);
+  const auto found = stored_.find(material.name());
+  if (found != stored_.end()) return found->second;
+  return bad_value("material.name", "\"" + material.name() + "\"",
+                   "a stored material, such as: " + near_names(material.name(), names()),
+                   ErrorCode::not_found);
+}
+
+}  // namespace gonio

@@ -1,0 +1,198 @@
+#include "server/server.h"
+
+#include <grpcpp/ext/proto_server_reflection_plugin.h>
+#include <grpcpp/grpcpp.h>
+#include <grpcpp/health_check_service_interface.h>
+#include <spdlog/sinks/null_sink.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "engine/thread_pool.h"
+#include "server/address.h"
+#include "server/materials.h"
+#include "server/service.h"
+
+namespace gonio {
+namespace {
+
+constexpr int kMaxThreads = 1024;
+
+std::shared_ptr<spdlog::logger> logger_or_silence(const ServerOptions& options) {
+  if (options.logger) return options.logger;
+  return std::make_shared<spdlog::logger>("gonio", std::make_shared<spdlog::sinks::null_sink_mt>());
+}
+
+int threads_of(const ServerOptions& options) {
+  return options.threads > 0 ? options.threads
+                             : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+Outcome check(const ServerOptions& options) {
+  if (options.threads < 0 || options.threads > kMaxThreads) {
+    return bad_value("threads", std::to_string(options.threads),
+                     "1 to " + std::to_string(kMaxThreads) + ", or 0 for all");
+  }
+  constexpr std::size_t kLeast = std::size_t{64} << 10, kMost = std::size_t{1} << 30;
+  if (options.max_message_bytes < kLeast || options.max_message_bytes > kMost) {
+    return bad_value("max_message_bytes", std::to_string(options.max_message_bytes),
+                     std::to_string(kLeast) + " to " + std::to_string(kMost));
+  }
+  if (options.memory_quota_bytes < options.max_message_bytes) {
+    return bad_value("memory_quota_bytes", std::to_string(options.memory_quota_bytes),
+                     "at least max_message_bytes, " + std::to_string(options.max_message_bytes));
+  }
+  if (options.max_queued_jobs == 0) return bad_value("max_queued_jobs", "0", "1 or more");
+  return Ok{};
+}
+
+Result<std::vector<Address>> claim_all(const std::vector<std::string>& texts) {
+  std::vector<Address> addresses;
+  for (const std::string& text : texts) {
+    auto address = parse_address(text);
+    if (!address) return address.error();
+    const auto claimed = claim(*address);
+    if (!claimed) return claimed.error();
+    addresses.push_back(std::move(*address));
+  }
+  return addresses;
+}
+
+Result<Materials> load_materials(const ServerOptions& options) {
+  Result<Materials> materials =
+      options.materials.empty() ? Materials() : Materials::load(options.materials);
+  if (materials && options.allow_local_files) materials->allow_local_files();
+  return materials;
+}
+
+}  // namespace
+
+struct Server::State {
+  State(const ServerOptions& given, Materials loaded)
+      : options(given),
+        logger(logger_or_silence(given)),
+        materials(std::move(loaded)),
+        pool(threads_of(given), given.max_queued_jobs),
+        service({materials, pool, given.max_message_bytes, given.max_queued_jobs, *logger}) {}
+
+  Outcome listen(const std::vector<Address>& addresses);
+  void configure(grpc::ServerBuilder& builder);
+  void stop(std::chrono::milliseconds grace);
+
+  ServerOptions options;
+  std::shared_ptr<spdlog::logger> logger;
+  Materials materials;
+  ThreadPool pool;  // outlived by nothing that uses it: the calls end with `grpc`
+  Service service;
+  std::unique_ptr<grpc::Server> grpc;
+  std::vector<SocketFile> socket_files;
+  int port = 0;
+
+  std::mutex mutex;
+  std::condition_variable stopped_changed;
+  bool stopping = false;
+  bool stopped = false;
+};
+
+void Server::State::configure(grpc::ServerBuilder& builder) {
+  const int max_bytes = static_cast<int>(options.max_message_bytes);
+  builder.SetMaxReceiveMessageSize(max_bytes).SetMaxSendMessageSize(max_bytes);
+  builder.SetResourceQuota(grpc::ResourceQuota("gonio").Resize(options.memory_quota_bytes));
+  // Two servers on one port would share its calls at random.
+  builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
+  // Only reflection uses the synchronous API: one thread is enough for it.
+  builder.SetSyncServerOption(grpc::ServerBuilder::SyncServerOption::NUM_CQS, 1);
+  builder.SetSyncServerOption(grpc::ServerBuilder::SyncServerOption::MIN_POLLERS, 1);
+  builder.SetSyncServerOption(grpc::ServerBuilder::SyncServerOption::MAX_POLLERS, 1);
+  builder.RegisterService(&service);
+}
+
+Outcome Server::State::listen(const std::vector<Address>& addresses) {
+  grpc::ServerBuilder builder;
+  configure(builder);
+  std::vector<int> ports(addresses.size(), 0);
+  for (std::size_t i = 0; i < addresses.size(); ++i) {
+    builder.AddListeningPort(addresses[i].text, grpc::InsecureServerCredentials(), &ports[i]);
+  }
+  grpc = builder.BuildAndStart();
+  for (std::size_t i = 0; i < addresses.size(); ++i) {
+    const std::string& text = addresses[i].text;
+    if (ports[i] <= 0)
+      return Error{ErrorCode::unavailable, "cannot listen on " + text, "listen", text, ""};
+    if (addresses[i].is_unix()) {
+      socket_files.emplace_back(addresses[i].path);
+      logger->info("listening on {}", text);
+    } else {
+      if (port == 0) port = ports[i];
+      logger->info("listening on {}:{}", text.substr(0, text.rfind(':')), ports[i]);
+    }
+  }
+  if (!grpc) return Error{ErrorCode::internal, "the gRPC server cannot be started", "", "", ""};
+  return Ok{};
+}
+
+void Server::State::stop(std::chrono::milliseconds grace) {
+  logger->info(
+      "stopping: reports NOT_SERVING, waits {} ms, then up to {} ms for the calls under way",
+      options.lame_duck.count(), grace.count());
+  grpc->GetHealthCheckService()->Shutdown();
+  std::this_thread::sleep_for(options.lame_duck);
+  grpc->Shutdown(std::chrono::system_clock::now() + grace);
+  socket_files.clear();
+  logger->info("stopped");
+}
+
+Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options) {
+  const auto checked = check(options);
+  if (!checked) return checked.error();
+  auto materials = load_materials(options);
+  if (!materials) return materials.error();
+  const auto addresses = claim_all(options.addresses);
+  if (!addresses) return addresses.error();
+  static std::once_flag plugins;  // both are settings of the process
+  std::call_once(plugins, [] {
+    grpc::EnableDefaultHealthCheckService(true);
+    grpc::reflection::InitProtoReflectionServerBuilderPlugin();
+  });
+  auto state = std::make_unique<State>(options, std::move(*materials));
+  const auto listening = state->listen(*addresses);
+  if (!listening) return listening.error();
+  state->grpc->GetHealthCheckService()->SetServingStatus(WireService::service_full_name(), true);
+  state->logger->info("stored materials: {}, compute threads: {}",
+                      state->materials.names().size(), state->pool.threads());
+  return std::unique_ptr<Server>(new Server(std::move(state)));
+}
+
+Server::Server(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+Server::~Server() { shutdown(std::chrono::milliseconds(0)); }
+
+std::shared_ptr<grpc::Channel> Server::in_process_channel() {
+  grpc::ChannelArguments arguments;
+  arguments.SetMaxReceiveMessageSize(static_cast<int>(state_->options.max_message_bytes));
+  return state_->grpc->InProcessChannel(arguments);
+}
+
+int Server::port() const { return state_->port; }
+
+void Server::shutdown(std::chrono::milliseconds grace) {
+  {
+    const std::lock_guard lock(state_->mutex);
+    if (std::exchange(state_->stopping, true)) return;
+  }
+  state_->stop(grace);
+  const std::lock_guard lock(state_->mutex);
+  state_->stopped = true;
+  state_->stopped_changed.notify_all();
+}
+
+void Server::wait() {
+  std::unique_lock lock(state_->mutex);
+  state_->stopped_changed.wait(lock, [this] { return state_->stopped; });
+}
+
+}  // namespace gonio

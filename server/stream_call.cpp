@@ -1,0 +1,180 @@
+#include "server/stream_call.h"
+
+#include <grpcpp/server_context.h>
+
+#include <utility>
+
+#include "wire/codec.h"
+#include "wire/status.h"
+
+namespace gonio {
+namespace {
+
+constexpr std::uint32_t kSlots = 256;
+
+}  // namespace
+
+StreamCall::StreamCall(const Backend& backend, grpc::CallbackServerContext& context)
+    : backend_(backend), state_(context.deadline()), access_("EvaluateStream", context) {
+  pump();
+}
+
+void StreamCall::OnReadDone(bool ok) {
+  if (!ok) return end_reading(grpc::Status::OK);
+  auto chunk = wire::decode_stream_request(incoming_);
+  incoming_.Clear();
+  // Without a sequence number there is no way to say which chunk was wrong.
+  if (!chunk) return end_reading(wire::to_status(chunk.error()));
+  {
+    const std::lock_guard lock(mutex_);
+    ++in_flight_;
+    ++access_.batches;
+  }
+  handle(*chunk);
+  {
+    const std::lock_guard lock(mutex_);
+    reading_ = false;
+  }
+  pump();
+}
+
+void StreamCall::end_reading(const grpc::Status& status) {
+  {
+    const std::lock_guard lock(mutex_);
+    reading_ = false;
+    reads_over_ = true;
+    if (final_.ok()) final_ = status;
+  }
+  pump();
+}
+
+void StreamCall::handle(const wire::StreamRequest& chunk) {
+  const auto prepared = prepare(chunk);
+  if (!prepared) return refuse(chunk.sequence, prepared.error(), 0);
+  const std::size_t bytes = (*prepared)->bytes();
+  {
+    const std::lock_guard lock(mutex_);
+    held_bytes_ += bytes;
+  }
+  const auto done = [this, sequence = chunk.sequence, evaluation = *prepared,
+                     bytes](bool completed) { computed(sequence, *evaluation, bytes, completed); };
+  const auto started = compute(backend_, *prepared, state_, done);
+  if (!started) refuse(chunk.sequence, started.error(), bytes);
+}
+
+// A bad material makes its slot bad too: later chunks must not be answered with the material before
+// it.
+Result<Material> StreamCall::material_of(const wire::StreamRequest& chunk) {
+  if (chunk.slot >= kSlots) {
+    return bad_value("slot", std::to_string(chunk.slot), "0 to " + std::to_string(kSlots - 1));
+  }
+  if (chunk.request && chunk.request->head.has_material()) {
+    const auto material = backend_.materials.resolve(chunk.request->head.material());
+    return slots_.insert_or_assign(chunk.slot, material).first->second;
+  }
+  const auto known = slots_.find(chunk.slot);
+  if (known != slots_.end()) return known->second;
+  return bad_value("evaluate.material",
+                   "not given, and slot " + std::to_string(chunk.slot) + " holds none",
+                   "a material with the first chunk of each slot");
+}
+
+Result<std::shared_ptr<Evaluation>> StreamCall::prepare(const wire::StreamRequest& chunk) {
+  if (!chunk.request) return chunk.request.error();
+  auto material = material_of(chunk);
+  if (!material) return material.error();
+  return Evaluation::prepare(*chunk.request, std::move(*material), backend_.max_message_bytes);
+}
+
+void StreamCall::computed(std::uint64_t sequence, Evaluation& evaluation, std::size_t held_bytes,
+                          bool completed) {
+  Answer answer{{}, held_bytes};
+  if (completed) answer.message = wire::encode_stream_response(sequence, evaluation.take_answer());
+  {
+    const std::lock_guard lock(mutex_);
+    access_.pairs += evaluation.pairs();
+    access_.kernel_seconds += evaluation.kernel_seconds();
+    if (!completed) die();
+  }
+  add(std::move(answer));
+}
+
+void StreamCall::refuse(std::uint64_t sequence, const Error& error, std::size_t held_bytes) {
+  {
+    const std::lock_guard lock(mutex_);
+    ++access_.failed;
+  }
+  add({wire::encode_stream_error(sequence, wire::to_detail(error)), held_bytes});
+}
+
+void StreamCall::add(Answer answer) {
+  {
+    const std::lock_guard lock(mutex_);
+    ready_.push_back(std::move(answer));
+  }
+  pump();
+}
+
+void StreamCall::OnWriteDone(bool ok) {
+  {
+    const std::lock_guard lock(mutex_);
+    writing_ = false;
+    --in_flight_;
+    held_bytes_ -= writing_now_.held_bytes;
+    writing_now_ = {};
+    if (!ok) die();
+  }
+  pump();
+}
+
+void StreamCall::OnCancel() {
+  state_.cancel();
+  {
+    const std::lock_guard lock(mutex_);
+    die();
+  }
+  pump();
+}
+
+// A stream that lost answers must not end as if it were complete.
+void StreamCall::die() {
+  dead_ = true;
+  if (!final_.ok()) return;
+  const bool late = state_.past_deadline();
+  final_ = {late ? grpc::StatusCode::DEADLINE_EXCEEDED : grpc::StatusCode::CANCELLED,
+            "the stream was over before all of its batches were answered"};
+}
+
+void StreamCall::drop_answers() {
+  for (const Answer& answer : ready_) held_bytes_ -= answer.held_bytes;
+  in_flight_ -= ready_.size();
+  ready_.clear();
+}
+
+// Starts whatever can be started: called after every event.
+void StreamCall::pump() {
+  bool read = false, write = false, finish = false;
+  {
+    const std::lock_guard lock(mutex_);
+    if (dead_) {
+      drop_answers();
+      reads_over_ = true;
+    }
+    if (!writing_ && !ready_.empty()) {
+      writing_now_ = std::move(ready_.front());
+      ready_.pop_front();
+      writing_ = write = true;
+    }
+    const bool has_room = in_flight_ < kMaxInFlight && held_bytes_ <= backend_.max_message_bytes;
+    if (!reading_ && !reads_over_ && has_room) reading_ = read = true;
+    finish = !finished_ && reads_over_ && !reading_ && in_flight_ == 0;
+    finished_ = finished_ || finish;
+  }
+  if (write) StartWrite(&writing_now_.message);
+  if (read) StartRead(&incoming_);
+  if (!finish) return;
+  access_.write(backend_.logger, final_.ok() ? "OK" : final_.error_message());
+  Finish(final_);  // may delete this
+}
+
+}  // namespace gonio

@@ -1,0 +1,35 @@
+// One Evaluate call. Made by start(), it deletes itself when gRPC is done with it.
+#pragma once
+
+#include <grpcpp/support/byte_buffer.h>
+#include <grpcpp/support/server_callback.h>
+
+#include <memory>
+
+#include "server/call.h"
+
+namespace gonio {
+
+class UnaryCall final : public grpc::ServerUnaryReactor {
+ public:
+  static UnaryCall* start(const Backend& backend, grpc::CallbackServerContext& context,
+                          const grpc::ByteBuffer& request, grpc::ByteBuffer& response);
+
+ private:
+  UnaryCall(const Backend& backend, grpc::CallbackServerContext& context,
+            grpc::ByteBuffer& response);
+  void handle(const grpc::ByteBuffer& request);
+  void answer(Evaluation& evaluation, bool completed);
+  void refuse(const Error& error);
+  void end(const grpc::Status& status);
+  void OnCancel() override { state_.cancel(); }
+  void OnDone() override { delete this; }
+
+  const Backend& backend_;
+  grpc::CallbackServerContext& context_;
+  grpc::ByteBuffer& response_;
+  CallState state_;
+  AccessLine access_;
+};
+
+}  // namespace gonio
