@@ -16,7 +16,8 @@ OutgoingChunk empty_chunk(std::uint64_t first, std::size_t pairs) {
   const std::size_t bytes = pairs * kDirection * sizeof(In);
   return {
       first, pairs,
-      wire::PairSlices{allocate_slice(bytes), allocate_slice(bytes), std::is_same_v<In, double>}};
+      wire::PairSlices{allocate_slice(bytes), allocate_slice(bytes), std::is_same_v<In, double>},
+      std::nullopt};
 }
 
 // Copies the answer's flags (all clear where it has none) and counts them.
@@ -73,14 +74,6 @@ Result<std::optional<OutgoingChunk>> CallbackSource<In>::next(std::size_t limit)
   directions.wi = directions.wi.sub(0, *given * kDirection * sizeof(In));
   directions.wo = directions.wo.sub(0, *given * kDirection * sizeof(In));
   first_ += *given;
-  return std::optional(std::move(chunk));
-}
-
-Result<std::optional<OutgoingChunk>> GridSource::next(std::size_t limit) {
-  const std::size_t pairs = std::min<std::uint64_t>(size_ - first_, limit);
-  if (pairs == 0) return std::optional<OutgoingChunk>{};
-  OutgoingChunk chunk{first_, pairs, std::nullopt};
-  first_ += pairs;
   return std::optional(std::move(chunk));
 }
 

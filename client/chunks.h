@@ -20,7 +20,8 @@ namespace gonio::client {
 struct OutgoingChunk {
   std::uint64_t first = 0;
   std::size_t pairs = 0;
-  std::optional<wire::PairSlices> directions;  // none for a grid
+  std::optional<wire::PairSlices> directions;
+  std::optional<gonio::v1::Grid> grid;  // in place of directions
 };
 
 class ChunkSource {
@@ -75,12 +76,22 @@ class CallbackSource final : public ChunkSource {
   std::uint64_t first_ = 0;
 };
 
+// A grid, run by run. Only the part of the axes that a run touches is sent with it: a long axis
+// costs no more than once.
 class GridSource final : public ChunkSource {
  public:
-  explicit GridSource(std::uint64_t size) : size_(size) {}
+  // `grid` is checked, and outlives the source.
+  explicit GridSource(const Grid& grid);
   Result<std::optional<OutgoingChunk>> next(std::size_t limit) override;
 
  private:
+  using Axis = google::protobuf::RepeatedField<double>;
+  struct NamedAxis {
+    const std::vector<double>* angles;
+    Axis* (gonio::v1::Grid::*field)();
+  };
+
+  std::vector<NamedAxis> axes_;  // the last the fastest
   std::uint64_t size_;
   std::uint64_t first_ = 0;
 };

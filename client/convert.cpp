@@ -69,18 +69,6 @@ gonio::v1::Precision to_wire(Precision precision) {
                                            : gonio::v1::PRECISION_FAST;
 }
 
-gonio::v1::Grid to_wire(const Grid& grid) {
-  gonio::v1::Grid message;
-  message.mutable_theta_i()->Assign(grid.theta_i.begin(), grid.theta_i.end());
-  message.mutable_phi_i()->Assign(grid.phi_i.begin(), grid.phi_i.end());
-  message.mutable_theta_o()->Assign(grid.theta_o.begin(), grid.theta_o.end());
-  message.mutable_phi_o()->Assign(grid.phi_o.begin(), grid.phi_o.end());
-  message.mutable_theta_h()->Assign(grid.theta_h.begin(), grid.theta_h.end());
-  message.mutable_theta_d()->Assign(grid.theta_d.begin(), grid.theta_d.end());
-  message.mutable_phi_d()->Assign(grid.phi_d.begin(), grid.phi_d.end());
-  return message;
-}
-
 InstructionSet instruction_set_of(gonio::v1::InstructionSet set) {
   switch (set) {
     case gonio::v1::INSTRUCTION_SET_BASELINE:

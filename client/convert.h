@@ -2,10 +2,8 @@
 // safety: no state.
 #pragma once
 
-#include "client/grid.h"
 #include "client/models.h"
 #include "client/types.h"
-#include "gonio/v1/directions.pb.h"
 #include "gonio/v1/evaluate.pb.h"
 #include "gonio/v1/models.pb.h"
 
@@ -13,7 +11,6 @@ namespace gonio::client {
 
 gonio::v1::InstructionSet to_wire(InstructionSet set);
 gonio::v1::Precision to_wire(Precision precision);
-gonio::v1::Grid to_wire(const Grid& grid);
 
 InstructionSet instruction_set_of(
     gonio::v1::InstructionSet set);  // `best` for one that is not known

@@ -65,8 +65,7 @@ template <class Out>
 Result<Report> evaluate_grid(Evaluation evaluation, const Grid& grid, std::span<Out> values,
                              std::span<std::uint8_t> flags) {
   if (auto checked = check(grid); !checked) return checked.error();
-  evaluation.set_grid(grid);
-  GridSource source(*grid.size());
+  GridSource source(grid);
   return evaluate_into(evaluation, source, *grid.size(), values, flags);
 }
 
@@ -144,8 +143,7 @@ Result<Report> Client::evaluate_chunks(const Material& material, const Grid& gri
                                        const EvaluateOptions& options) const {
   if (auto checked = check(grid); !checked) return checked.error();
   Evaluation evaluation = state_->evaluation(material, precision_for<Out>(), options);
-  evaluation.set_grid(grid);
-  GridSource chunks(*grid.size());
+  GridSource chunks(grid);
   return evaluate_to_sink(evaluation, chunks, sink, grid.size());
 }
 

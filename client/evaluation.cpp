@@ -24,8 +24,6 @@ Evaluation::Evaluation(const Peer& peer, const ClientOptions& options,
   head_.set_instruction_set(to_wire(evaluate_options.instruction_set));
 }
 
-void Evaluation::set_grid(const Grid& grid) { *head_.mutable_grid() = to_wire(grid); }
-
 std::size_t Evaluation::chunk_limit(std::size_t channels) const {
   const bool f64 = head_.precision() == gonio::v1::PRECISION_REFERENCE;
   const std::size_t pair_bytes = channels * (f64 ? sizeof(double) : sizeof(float));
@@ -39,9 +37,7 @@ Result<Report> Evaluation::probe() {
     Outcome accept(const OutgoingChunk&, const wire::Response&, Report&) override { return Ok{}; }
   } receiver;
   ArraySource<float> source(kNormal, kNormal);
-  gonio::v1::EvaluateRequest head = head_;
-  head.clear_directions();
-  Exchange exchange(peer_, options_, std::move(head), patience_, source, receiver);
+  Exchange exchange(peer_, options_, head_, patience_, source, receiver);
   if (auto outcome = exchange.run_call(1); !outcome) return outcome.error();
   return exchange.report();
 }

@@ -33,8 +33,6 @@ class Evaluation {
   Result<Report> run(ChunkSource& source, ChunkReceiver& receiver, std::size_t channels,
                      std::optional<std::uint64_t> total);
 
-  void set_grid(const Grid& grid);
-
  private:
   [[nodiscard]] std::size_t chunk_limit(std::size_t channels) const;
 

@@ -59,12 +59,11 @@ Exchange::Exchange(const Peer& peer, const ClientOptions& options, gonio::v1::Ev
   report_.precision = precision_of(head_.precision());
 }
 
-void Exchange::set_range(const OutgoingChunk& chunk) {
-  if (chunk.directions) return;
-  for (auto* head : {&head_, &head_without_material_}) {
-    head->mutable_grid()->set_first(chunk.first);
-    head->mutable_grid()->set_count(chunk.pairs);
-  }
+const gonio::v1::EvaluateRequest& Exchange::head_for(const OutgoingChunk& chunk,
+                                                     bool with_material) {
+  auto& head = with_material ? head_ : head_without_material_;
+  if (chunk.grid) *head.mutable_grid() = *chunk.grid;
+  return head;
 }
 
 Outcome Exchange::run_call(std::size_t limit) {
@@ -72,9 +71,8 @@ Outcome Exchange::run_call(std::size_t limit) {
   if (!next) return next.error();
   if (!*next) return Ok{};
   const OutgoingChunk& chunk = **next;
-  set_range(chunk);
-  auto bytes =
-      call(peer_, kEvaluateMethod, wire::encode_request(head_, directions_of(chunk)), patience_);
+  const auto request = wire::encode_request(head_for(chunk, true), directions_of(chunk));
+  auto bytes = call(peer_, kEvaluateMethod, request, patience_);
   if (!bytes) return bytes.error();
   auto answer = wire::decode_response(*bytes);
   if (!answer) return malformed(peer_, answer.error().message);
@@ -134,10 +132,9 @@ Outcome Exchange::send_next(Stream& stream, bool& with_material) {
   if (!sequence) return sequence.error();
   if (!*sequence) return Ok{};
   Pending& pending = pending_.at(**sequence);
-  set_range(pending.chunk);
-  stream.write(wire::encode_stream_request(**sequence, kSlot,
-                                           with_material ? head_ : head_without_material_,
-                                           directions_of(pending.chunk)));
+  const auto& head = head_for(pending.chunk, with_material);
+  const auto* directions = directions_of(pending.chunk);
+  stream.write(wire::encode_stream_request(**sequence, kSlot, head, directions));
   pending.on_its_way = true;
   with_material = false;
   return Ok{};

@@ -22,7 +22,7 @@ namespace gonio::client {
 
 class Exchange {
  public:
-  // `head`: the request without directions, or with a grid's axes.
+  // `head`: the request without directions.
   Exchange(const Peer& peer, const ClientOptions& options, gonio::v1::EvaluateRequest head,
            Patience& patience, ChunkSource& source, ChunkReceiver& receiver);
 
@@ -43,7 +43,7 @@ class Exchange {
   Result<bool> run_one_stream(Stream& stream);  // false: the stream broke
   Outcome send_next(Stream& stream, bool& with_material);
   Result<std::optional<std::uint64_t>> choose_next();
-  void set_range(const OutgoingChunk& chunk);
+  const gonio::v1::EvaluateRequest& head_for(const OutgoingChunk& chunk, bool with_material);
   Outcome take(const grpc::ByteBuffer& message);
   Outcome take_answer(std::uint64_t sequence, wire::Response answer);
   Outcome take_error(std::uint64_t sequence, const gonio::v1::ErrorDetail& detail);

@@ -54,8 +54,10 @@ Failure failure_of(const grpc::Status& status, const grpc::ClientContext& contex
 
 Failure failure_of(const gonio::v1::ErrorDetail& detail) {
   Failure failure{wire::from_detail(detail), false, std::nullopt};
+  // What has a bound is too large at any time; a queue is full for a moment.
+  const bool too_large = !failure.error.allowed.empty();
   failure.may_retry = failure.error.code == ErrorCode::unavailable ||
-                      failure.error.code == ErrorCode::resource_exhausted;
+                      (failure.error.code == ErrorCode::resource_exhausted && !too_large);
   return failure;
 }
 

@@ -1,0 +1,22 @@
+// The subcommands. Each adds itself to the tool's arguments and hands back what to run if it is
+// chosen.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace gonio::cli {
+
+// A subcommand's arguments and its run(), which returns the exit code.
+struct Command {
+  CLI::App* arguments;
+  std::function<int()> run;
+};
+
+Command add_models_command(CLI::App& app);
+Command add_evaluate_command(CLI::App& app);
+
+}  // namespace gonio::cli

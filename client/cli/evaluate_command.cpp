@@ -1,0 +1,134 @@
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "client/cli/commands.h"
+#include "client/cli/evaluate_arguments.h"
+#include "client/cli/exit_codes.h"
+#include "client/cli/grid_spec.h"
+#include "client/cli/input_columns.h"
+#include "client/cli/material_argument.h"
+#include "client/cli/pair_input.h"
+#include "client/cli/progress.h"
+#include "client/cli/summary.h"
+
+namespace gonio::cli {
+namespace {
+
+// Where the directions come from: exactly one of the two.
+template <class T>
+struct Input {
+  std::optional<GridSpec> grid;
+  std::unique_ptr<PairInput<T>> pairs;
+
+  static Result<Input> open(const EvaluateArguments& arguments) {
+    Input input;
+    if (!arguments.grid.empty()) {
+      auto grid = parse_grid(arguments.grid, arguments.degrees);
+      if (!grid) return grid.error();
+      input.grid = std::move(grid).value();
+      return input;
+    }
+    auto pairs = open_pairs<T>(arguments.pairs, arguments.degrees, arguments.with_input);
+    if (!pairs) return pairs.error();
+    input.pairs = std::move(pairs).value();
+    return input;
+  }
+
+  [[nodiscard]] std::optional<std::uint64_t> total() const {
+    return grid ? grid->grid.size() : pairs->total();
+  }
+
+  [[nodiscard]] std::optional<double> progress(std::uint64_t done) const {
+    if (!grid) return pairs->progress();
+    return static_cast<double>(done) / static_cast<double>(*grid->grid.size());
+  }
+
+  [[nodiscard]] InputColumns<T> columns(bool wanted) const {
+    if (!wanted) return {};
+    return grid ? grid_columns<T>(*grid) : pair_columns<T>(*pairs);
+  }
+};
+
+template <class T>
+std::unique_ptr<ResultWriter<T>> make_writer(Format format, OutputFile& output, const Input<T>& input,
+                                             bool with_input) {
+  switch (format) {
+    case Format::json:
+      return json_writer<T>(output);
+    case Format::npy:
+      return npy_writer<T>(output, input.total());
+    case Format::csv:
+      break;
+  }
+  return csv_writer<T>(output, input.columns(with_input));
+}
+
+template <class T>
+Result<client::Report> evaluate(const client::Client& client, const client::Material& material,
+                                const EvaluateArguments& arguments, const Input<T>& input,
+                                ResultWriter<T>& writer) {
+  Progress progress(!arguments.quiet);
+  const client::ChunkSink<T, T> sink = [&](const client::Chunk<T, T>& chunk) {
+    const std::uint64_t done = chunk.first + chunk.pairs;
+    progress.update(done, input.progress(done));
+    return writer.write(chunk);
+  };
+  client::EvaluateOptions options;
+  options.instruction_set = client::instruction_set_of(arguments.isa).value();
+  if (input.grid) return client.evaluate_chunks<T>(material, input.grid->grid, sink, options);
+  const client::PairSource<T> source = [&](std::span<T> wi, std::span<T> wo) {
+    return input.pairs->read(wi, wo);
+  };
+  return client.evaluate_chunks<T, T>(material, source, sink, options);
+}
+
+void report(const client::Report& report, const EvaluateArguments& arguments, double seconds) {
+  const std::string flags = flag_summary(report);
+  if (!flags.empty() && !arguments.quiet) std::fprintf(stderr, "gonio: %s\n", flags.c_str());
+  if (!arguments.verbose) return;
+  std::fprintf(stderr, "gonio: %s\n", report_line(report, seconds).c_str());
+}
+
+template <class T>
+int run(const EvaluateArguments& arguments) {
+  auto format = chosen_format(arguments);
+  if (!format) return fail(format.error());
+  auto material = read_material(arguments.material, arguments.connection.server.empty());
+  if (!material) return fail(material.error());
+  auto input = Input<T>::open(arguments);
+  if (!input) return fail(input.error());
+  auto connection = Connection::open(arguments.connection);
+  if (!connection) return fail(connection.error());
+  auto output = OutputFile::open(arguments.output, *format == Format::npy && !input->total());
+  if (!output) return fail(output.error());
+
+  const auto start = std::chrono::steady_clock::now();
+  const auto writer = make_writer(*format, *output, *input, arguments.with_input);
+  auto result = evaluate(connection->client, *material, arguments, *input, *writer);
+  Outcome written = result ? writer->finish(*result) : Outcome(result.error());
+  if (written) written = output->commit();
+  if (output->reader_gone()) return kExitOk;
+  if (!written) return fail(written.error());
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  report(*result, arguments, taken.count());
+  return kExitOk;
+}
+
+}  // namespace
+
+Command add_evaluate_command(CLI::App& app) {
+  auto arguments = std::make_shared<EvaluateArguments>();
+  CLI::App* command =
+      app.add_subcommand("evaluate", "Evaluate a material for pairs of directions or a grid");
+  add_evaluate_options(*command, *arguments);
+  return {command, [arguments] {
+            return arguments->precision == "reference" ? run<double>(*arguments)
+                                                       : run<float>(*arguments);
+          }};
+}
+
+}  // namespace gonio::cli

@@ -1,0 +1,31 @@
+#include "client/cli/exit_codes.h"
+
+#include <cstdio>
+
+namespace gonio::cli {
+
+ExitCode exit_code_of(const Error& error) {
+  switch (error.code) {
+    case ErrorCode::invalid_argument:
+    case ErrorCode::not_found:
+    case ErrorCode::data_loss:
+      return kExitBadInput;
+    case ErrorCode::resource_exhausted:  // with a bound it is too large, else the server is too
+                                         // busy
+      return error.allowed.empty() ? kExitUnreachable : kExitBadInput;
+    case ErrorCode::unavailable:
+    case ErrorCode::deadline_exceeded:
+      return kExitUnreachable;
+    case ErrorCode::cancelled:
+    case ErrorCode::internal:
+      break;
+  }
+  return kExitFailed;
+}
+
+ExitCode fail(const Error& error) {
+  std::fprintf(stderr, "gonio: error: %s\n", error.message.c_str());
+  return exit_code_of(error);
+}
+
+}  // namespace gonio::cli

@@ -1,0 +1,21 @@
+// What the tool's exit status says, and how errors are shown. Thread safety: functions without
+// state.
+#pragma once
+
+#include "base/result.h"
+
+namespace gonio::cli {
+
+enum ExitCode : int {
+  kExitOk = 0,           // also when the reader of the results went away early
+  kExitFailed = 1,       // something went wrong on the way: writing the results, inside the server
+  kExitBadInput = 2,     // wrong arguments, files, materials or directions
+  kExitUnreachable = 3,  // no answer from the server: not there, too busy, or past the deadline
+};
+
+ExitCode exit_code_of(const Error& error);
+
+// "gonio: error: ..." on stderr; returns the exit code.
+ExitCode fail(const Error& error);
+
+}  // namespace gonio::cli

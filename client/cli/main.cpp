@@ -1,0 +1,54 @@
+// gonio: the command line.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <string>
+
+#include "base/version.h"
+#include "client/cli/commands.h"
+#include "client/cli/exit_codes.h"
+#include "client/cli/output_file.h"
+
+namespace {
+
+constexpr const char* kDescription =
+    R"(gonio evaluates materials (BRDFs): how much light each one reflects from one direction into another.
+
+It does the work itself, or asks a goniod server (--server ADDRESS or $GONIO_SERVER) to do it.)";
+
+constexpr const char* kFooter = R"(
+Examples:
+  gonio models                        what there is
+  gonio models ggx                    one model's manual page
+  gonio evaluate --material '{"model": "lambertian", "parameters": {"rd": 0.5}}' \
+      --grid theta_i=30,theta_o=0:80:9 --deg
+  gonio evaluate --material gold.json --pairs pairs.csv -o values.npy -v
+  gonio evaluate --help               everything about it
+
+Exit status: 0 done; 1 failed on the way; 2 wrong arguments, files or materials;
+3 no answer from the server (not there, too busy, or past the deadline).)";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using gonio::cli::kExitBadInput;
+  CLI::App app(kDescription, "gonio");
+  app.footer(kFooter);
+  app.set_version_flag("--version", std::string("gonio ") + gonio::kVersion);
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(30);
+  const auto commands = {gonio::cli::add_models_command(app),
+                         gonio::cli::add_evaluate_command(app)};
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& wanted) {  // --help, --version
+    return app.exit(wanted);
+  } catch (const CLI::ParseError& error) {
+    std::fprintf(stderr, "gonio: error: %s\nTry 'gonio --help'.\n", error.what());
+    return kExitBadInput;
+  }
+  gonio::cli::handle_signals();
+  for (const auto& command : commands) {
+    if (command.arguments->parsed()) return command.run();
+  }
+  return kExitBadInput;
+}

@@ -1,0 +1,18 @@
+// The --material argument: inline JSON, a file, or the name of a stored material. Thread safety: no
+// state.
+#pragma once
+
+#include <string>
+
+#include "base/result.h"
+#include "client/material.h"
+
+namespace gonio::cli {
+
+// In this order: what starts with '{' is JSON; what ends in .json or .binary or has a '/' is a file
+// (JSON, or a MERL table); anything else is the name of a material that the server holds. Files
+// that only this machine has can be used by an `embedded` server alone. Errors name the file and
+// what is wrong.
+Result<client::Material> read_material(const std::string& argument, bool embedded);
+
+}  // namespace gonio::cli

@@ -1,0 +1,149 @@
+#include "client/cli/model_page.h"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "client/cli/numbers.h"
+#include "client/cli/summary.h"
+
+namespace gonio::cli {
+namespace {
+
+constexpr std::size_t kPageWidth = 96;
+
+std::string_view role_word(client::Role role) {
+  switch (role) {
+    case client::Role::diffuse:
+      return "diffuse";
+    case client::Role::specular:
+      return "specular";
+    case client::Role::measured:
+      return "measured";
+    case client::Role::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+std::string_view role_meaning(client::Role role) {
+  switch (role) {
+    case client::Role::diffuse:
+      return "diffuse: stands alone, or as the diffuse base of a sum";
+    case client::Role::specular:
+      return "specular: stands alone, or as a specular lobe of a sum";
+    case client::Role::measured:
+      return "measured: a table, stands alone";
+    case client::Role::unknown:
+      break;
+  }
+  return "unknown to this version of gonio";
+}
+
+std::string padded(std::string_view text, std::size_t width) {
+  std::string result(text);
+  result.resize(std::max(result.size() + 1, width), ' ');
+  return result;
+}
+
+// Breaks `text` into lines that start at column `indent`; the first one is already there.
+std::string wrapped(std::string_view text, std::size_t indent) {
+  std::string result;
+  std::size_t column = indent;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    if (column > indent && column + 1 + end > kPageWidth) {
+      result += '\n' + std::string(indent, ' ');
+      column = indent;
+    } else if (column > indent) {
+      result += ' ';
+      ++column;
+    }
+    result += text.substr(0, end);
+    column += end;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return result;
+}
+
+std::string joined(const std::vector<std::string>& words, std::string_view separator) {
+  std::string text;
+  for (const std::string& word : words) {
+    if (!text.empty()) text += separator;
+    text += word;
+  }
+  return text;
+}
+
+std::string value_text(const client::ParameterInfo& parameter) {
+  if (!parameter.words.empty()) {
+    return "one of " + joined(parameter.words, ", ") + "; default " + parameter.words.front();
+  }
+  std::string text = parameter.colour ? "a number, or one per channel" : "a number";
+  text += ", " + shortest(parameter.lower) + " to " + shortest(parameter.upper);
+  if (parameter.unit == "rad") text += " radians";
+  if (parameter.unit != "rad" && parameter.unit != "1") text += " " + parameter.unit;
+  text += "; default " + shortest(parameter.start);
+  if (parameter.logarithmic) text += "; best varied on a logarithmic scale";
+  return text;
+}
+
+std::string example_json(const client::ModelInfo& model) {
+  std::vector<std::string> parts;
+  for (const client::ParameterInfo& parameter : model.parameters) {
+    const bool word = !parameter.words.empty();
+    parts.push_back("\"" + parameter.name + "\": " +
+                    (word ? "\"" + parameter.words.front() + "\"" : shortest(parameter.start)));
+  }
+  return "{\"model\": \"" + model.name + "\", \"parameters\": {" + joined(parts, ", ") + "}}";
+}
+
+std::string example(const client::ModelInfo& model) {
+  if (model.role == client::Role::measured) {
+    return "  gonio evaluate --material FILE.binary --grid theta_i=30,theta_o=0:80:9 --deg\n";
+  }
+  const std::string json = example_json(model);
+  return "  " + json + "\n\n  gonio evaluate --material '" + json +
+         "' \\\n      --grid theta_i=30,theta_o=0:80:9 --deg\n";
+}
+
+}  // namespace
+
+std::string model_table(const client::Catalogue& catalogue) {
+  std::size_t width = 6;
+  for (const auto& model : catalogue.models) width = std::max(width, model.name.size());
+  std::string text = padded("MODEL", width + 2) + padded("ROLE", 10) + "WHAT IT IS\n";
+  for (const auto& model : catalogue.models) {
+    text +=
+        padded(model.name, width + 2) + padded(role_word(model.role), 10) + model.summary + "\n";
+    std::vector<std::string> names;
+    for (const auto& parameter : model.parameters) names.push_back(parameter.name);
+    const std::size_t indent = width + 12;
+    text += std::string(indent, ' ') + wrapped(joined(names, ", "), indent) + "\n";
+  }
+  std::vector<std::string> sets;
+  for (const auto set : catalogue.instruction_sets) sets.emplace_back(name_of(set));
+  text += "\nStored materials: ";
+  text += catalogue.materials.empty() ? "none" : wrapped(joined(catalogue.materials, ", "), 18);
+  text += "\nInstruction sets: " + joined(sets, ", ");
+  return text + "\n\n'gonio models NAME' describes one model.\n";
+}
+
+std::string model_page(const client::ModelInfo& model) {
+  std::string text = model.name + ": " + wrapped(model.summary, model.name.size() + 2) + "\n\n";
+  text += "Role       " + std::string(role_meaning(model.role)) + "\n";
+  text += "Source     " + wrapped(model.source, 11) + "\n";
+  text += "Fast       " + wrapped(bound_text(model.fast), 11) + "\n";
+  text += "Reference  " + wrapped(bound_text(model.reference), 11) + "\n\nParameters\n";
+  std::size_t width = 4;
+  for (const auto& parameter : model.parameters) width = std::max(width, parameter.name.size());
+  for (const auto& parameter : model.parameters) {
+    const std::size_t indent = width + 4;
+    text += "  " + padded(parameter.name, width + 2) + wrapped(parameter.meaning, indent) + "\n";
+    text += std::string(indent, ' ') + wrapped(value_text(parameter), indent) + "\n";
+  }
+  if (model.parameters.empty()) text += "  none\n";
+  return text + "\nExample\n" + example(model);
+}
+
+}  // namespace gonio::cli

@@ -1,0 +1,65 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "client/cli/commands.h"
+#include "client/cli/connection.h"
+#include "client/cli/exit_codes.h"
+#include "client/cli/model_page.h"
+#include "client/cli/output_file.h"
+
+namespace gonio::cli {
+namespace {
+
+struct Arguments {
+  ConnectionOptions connection;
+  std::string name;
+  bool json = false;
+};
+
+Result<std::string> text_for(const client::Client& client, const Arguments& arguments) {
+  if (arguments.json) {
+    auto json = client.list_models_json(arguments.name);
+    if (!json) return json;
+    return *json + "\n";
+  }
+  auto catalogue = client.list_models(arguments.name);
+  if (!catalogue) return catalogue.error();
+  if (arguments.name.empty()) return model_table(*catalogue);
+  if (catalogue->models.empty()) {
+    return Error{ErrorCode::not_found,
+                 "there is no model '" + arguments.name + "'",
+                 "name",
+                 arguments.name,
+                 {}};
+  }
+  return model_page(catalogue->models.front());
+}
+
+int run(const Arguments& arguments) {
+  auto connection = Connection::open(arguments.connection);
+  if (!connection) return fail(connection.error());
+  auto text = text_for(connection->client, arguments);
+  if (!text) return fail(text.error());
+  auto output = OutputFile::open("-");
+  if (!output) return fail(output.error());
+  const auto written = output->write(*text);
+  if (!written && !output->reader_gone()) return fail(written.error());
+  return kExitOk;
+}
+
+}  // namespace
+
+Command add_models_command(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("models", "List the models and stored materials, or describe one model");
+  command->add_option("NAME", arguments->name, "The model to describe");
+  command->add_flag("--json", arguments->json,
+                    "Print JSON (gonio.v1.ListModelsResponse) instead of text");
+  add_connection_options(*command, arguments->connection);
+  return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace gonio::cli

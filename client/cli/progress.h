@@ -1,0 +1,30 @@
+// A progress bar on standard error, if that is a terminal; nothing otherwise. Thread safety: used
+// by one thread.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+namespace gonio::cli {
+
+class Progress {
+ public:
+  explicit Progress(bool wanted);
+  ~Progress();  // takes the bar away
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  // `fraction` done, 0 to 1, where that is known. Draws a few times a second at most.
+  void update(std::uint64_t pairs, std::optional<double> fraction);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool shown_;
+  bool drawn_ = false;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point next_;
+};
+
+}  // namespace gonio::cli

@@ -1,0 +1,53 @@
+#include "client/cli/summary.h"
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+
+namespace gonio::cli {
+namespace {
+
+[[gnu::format(printf, 1, 2)]] std::string format(const char* text, ...) {
+  char buffer[512];
+  va_list arguments;
+  va_start(arguments, text);
+  std::vsnprintf(buffer, sizeof(buffer), text, arguments);
+  va_end(arguments);
+  return buffer;
+}
+
+}  // namespace
+
+std::string flag_summary(const client::Report& report) {
+  if (report.flagged == 0) return {};
+  std::string text = std::to_string(report.flagged) + " of " + std::to_string(report.pairs) +
+                     (report.flagged == 1 ? " pairs is flagged and has the value 0: "
+                                          : " pairs are flagged and have the value 0: ");
+  const char* separator = "";
+  for (std::size_t bit = 0; bit < client::kFlagBits; ++bit) {
+    if (report.flagged_by[bit] == 0) continue;
+    text += separator + std::to_string(report.flagged_by[bit]) + " ";
+    text += client::flag_meaning(bit);
+    separator = ", ";
+  }
+  return text;
+}
+
+std::string bound_text(const client::ErrorBound& bound) {
+  std::string text = format("relative error <= %.3g where f > %.3g", bound.relative, bound.above);
+  if (!bound.note.empty()) text += " (" + bound.note + ")";
+  return text;
+}
+
+std::string report_line(const client::Report& report, double seconds) {
+  const auto pairs = static_cast<double>(report.pairs);
+  std::string text = format("%llu pairs x %d channels in %.3f s (%.3g M pairs/s); kernels %.4f s",
+                            static_cast<unsigned long long>(report.pairs), report.channels, seconds,
+                            1e-6 * pairs / std::max(seconds, 1e-9), report.kernel_seconds);
+  text += "; " + std::string(name_of(report.instruction_set)) + ", " +
+          std::string(name_of(report.precision)) + ", " + bound_text(report.error_bound);
+  if (report.retries > 0) text += "; " + std::to_string(report.retries) + " retries";
+  return text;
+}
+
+}  // namespace gonio::cli

@@ -1,0 +1,21 @@
+// What is said on standard error after an evaluation. Thread safety: no state.
+#pragma once
+
+#include <string>
+
+#include "client/types.h"
+
+namespace gonio::cli {
+
+// "12 of 1000 pairs are flagged and have the value 0: 10 wi below the horizon, 2 not unit"; empty
+// if there are none.
+std::string flag_summary(const client::Report& report);
+
+// "1000000 pairs x 3 channels in 0.021 s (47.6 M pairs/s); kernels 0.003 s; avx512, fast, relative
+// error <= 3e-06 ..."
+std::string report_line(const client::Report& report, double seconds);
+
+// "relative error <= 3e-06 where f > 1e-30", and the note if there is one.
+std::string bound_text(const client::ErrorBound& bound);
+
+}  // namespace gonio::cli
