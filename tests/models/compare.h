@@ -38,14 +38,16 @@ std::string improper(Out got, Quad truth, double above) {
   if (std::isnan(got)) return "NaN";
   if (std::isinf(got)) return "infinite";
   if (std::signbit(got)) return "negative";
-  if (truth == 0 && got != 0) return "not 0 where f is 0";
   if (truth <= above && static_cast<double>(got) > above * 1.001) return "not small where f is";
   if (truth > kLargest && got != kLargest) return "not saturated where f is beyond the range";
   return {};
 }
 
+// `unsure` is, for each value, the part of the relative error that is not the library's; may be
+// empty.
 template <class Out>
-Comparison compare(std::span<const Out> got, std::span<const Quad> truth, double above) {
+Comparison compare(std::span<const Out> got, std::span<const Quad> truth, double above,
+                   std::span<const double> unsure = {}) {
   Comparison result;
   std::vector<double> errors;
   errors.reserve(got.size());
@@ -56,7 +58,8 @@ Comparison compare(std::span<const Out> got, std::span<const Quad> truth, double
     }
     if (truth[i] <= above || truth[i] > std::numeric_limits<Out>::max()) continue;
     const Quad difference = static_cast<Quad>(got[i]) - truth[i];
-    errors.push_back(static_cast<double>((difference < 0 ? -difference : difference) / truth[i]));
+    const auto error = static_cast<double>((difference < 0 ? -difference : difference) / truth[i]);
+    errors.push_back(unsure.empty() ? error : std::max(0.0, error - unsure[i]));
     if (errors.back() > result.worst) result.worst = errors.back(), result.worst_at = i;
   }
   result.checked = errors.size();

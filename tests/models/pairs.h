@@ -16,7 +16,7 @@ enum class PairKind : std::uint8_t {
   grazing,       // one or both at 80 to 89.99 degrees
   exact_mirror,  // h = n exactly
   opposite,      // wo nearly -wi, both just above the horizon
-  tiny_z,        // z down to the smallest positive numbers
+  tiny_z,        // z down to the smallest positive float32
   special,       // along the axes and the normal, h in a coordinate plane
   off_unit,      // any of the above, up to 9e-4 off unit length
 };

@@ -1,0 +1,185 @@
+// What the models say of themselves is complete, consistent and true of the checks.
+#include "engine/registry.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "engine/material.h"
+
+namespace gonio {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
+
+TEST(Registry, HasTheModels) {
+  std::set<std::string_view> names;
+  for (const ModelDescription& model : models()) {
+    EXPECT_TRUE(names.insert(model.name).second) << model.name << " stands there twice";
+  }
+  for (const char* name : {"lambertian", "ashikhmin_shirley", "cook_torrance", "ggx", "measured"}) {
+    EXPECT_TRUE(names.contains(name)) << name;
+  }
+}
+
+TEST(Registry, FindsByNameOrSaysWhichThereAre) {
+  for (const ModelDescription& model : models()) {
+    const auto found = find_model(model.name);
+    ASSERT_TRUE(found.ok());
+    EXPECT_EQ(*found, &model);
+  }
+  for (const char* name : {"", "phong2", "GGX", "ggx "}) {
+    const auto none = find_model(name);
+    ASSERT_FALSE(none.ok());
+    EXPECT_EQ(none.error().code, ErrorCode::not_found);
+    EXPECT_THAT(none.error().message, HasSubstr('"' + std::string(name) + '"'));
+    EXPECT_THAT(none.error().allowed, AllOf(HasSubstr("ggx"), HasSubstr("lambertian")));
+  }
+}
+
+TEST(Registry, DescribesEveryModel) {
+  for (const ModelDescription& model : models()) {
+    SCOPED_TRACE(model.name);
+    EXPECT_THAT(std::string(model.name), MatchesRegex("[a-z][a-z0-9_]*"));
+    EXPECT_FALSE(model.summary.empty());
+    EXPECT_THAT(std::string(model.source), MatchesRegex(".*[12][0-9][0-9][0-9].*"));
+    for (const ErrorBound& bound : {model.fast, model.reference}) {
+      EXPECT_GT(bound.relative, 0);
+      EXPECT_LE(bound.relative, 1e-5);
+      EXPECT_LE(bound.above, 1e-30);
+    }
+    EXPECT_LT(model.reference.relative, model.fast.relative);
+  }
+}
+
+TEST(Registry, DescribesEveryParameter) {
+  for (const ModelDescription& model : models()) {
+    std::set<std::string_view> names;
+    for (const Parameter& p : model.parameters) {
+      SCOPED_TRACE(std::string(model.name) + "." + std::string(p.name));
+      EXPECT_TRUE(names.insert(p.name).second);
+      EXPECT_THAT(std::string(p.name), MatchesRegex("[a-z][a-z0-9_]*"));
+      EXPECT_FALSE(p.meaning.empty());
+      EXPECT_TRUE(p.unit == "1" || p.unit == "rad") << p.unit;
+      if (p.kind == Kind::word) {
+        EXPECT_FALSE(p.words.empty());
+        EXPECT_EQ(std::set(p.words.begin(), p.words.end()).size(), p.words.size());
+        continue;
+      }
+      EXPECT_TRUE(p.words.empty());
+      EXPECT_TRUE(std::isfinite(p.lower) && std::isfinite(p.upper));
+      EXPECT_LT(p.lower, p.upper);
+      EXPECT_LE(p.lower, p.start);
+      EXPECT_LE(p.start, p.upper);
+      // A fit starts there: a logarithm must exist.
+      if (p.scale == Scale::logarithmic) {
+        EXPECT_GT(p.start, 0);
+      }
+    }
+  }
+}
+
+class EachModel : public ::testing::TestWithParam<std::string> {
+ protected:
+  [[nodiscard]] static const ModelDescription& model() { return **find_model(GetParam()); }
+  static Result<Material> with(const std::string& name, ParameterValue value) {
+    return Material::create({LobeSpec{GetParam(), {{name, std::move(value)}}}, {}, {}});
+  }
+};
+
+TEST_P(EachModel, NeedsNoParameter) {
+  const auto material = Material::create({LobeSpec{GetParam(), {}}, {}, {}});
+  ASSERT_TRUE(material.ok()) << material.error().message;
+  EXPECT_EQ(material->channels(), 1);
+  EXPECT_EQ(material->error_bound(Precision::fast).relative, model().fast.relative);
+  EXPECT_EQ(material->error_bound(Precision::reference).relative, model().reference.relative);
+  EXPECT_GT(material->bytes(), 0U);
+}
+
+TEST_P(EachModel, AcceptsItsBoundsAndNothingBeyond) {
+  for (const Parameter& p : model().parameters) {
+    if (p.kind == Kind::word) continue;
+    const std::string name(p.name), field = "parameters." + name;
+    for (const double inside : {p.lower, p.start, p.upper}) {
+      const auto material = with(name, std::vector{inside});
+      EXPECT_TRUE(material.ok()) << material.error().message;
+    }
+    const double infinity = HUGE_VAL;
+    for (const double outside :
+         {std::nextafter(p.lower, -infinity), std::nextafter(p.upper, infinity), -infinity,
+          infinity, std::nan("")}) {
+      const auto material = with(name, std::vector{outside});
+      ASSERT_FALSE(material.ok()) << field << " = " << outside;
+      EXPECT_EQ(material.error().code, ErrorCode::invalid_argument);
+      EXPECT_EQ(material.error().field, field);
+      EXPECT_THAT(material.error().message,
+                  AllOf(HasSubstr(field), HasSubstr(material.error().value),
+                        HasSubstr(material.error().allowed)));
+      EXPECT_THAT(material.error().allowed, MatchesRegex("\\[.*, .*\\]"));
+    }
+  }
+}
+
+TEST_P(EachModel, AcceptsItsWordsAndNoOther) {
+  for (const Parameter& p : model().parameters) {
+    const std::string name(p.name);
+    if (p.kind != Kind::word) {
+      EXPECT_FALSE(with(name, "word").ok()) << name;
+      continue;
+    }
+    for (const std::string_view word : p.words) {
+      const auto material = with(name, std::string(word));
+      EXPECT_TRUE(material.ok()) << material.error().message;
+    }
+    for (const ParameterValue& wrong :
+         {ParameterValue("other"), ParameterValue(""), ParameterValue(std::vector{1.0})}) {
+      const auto material = with(name, wrong);
+      ASSERT_FALSE(material.ok());
+      EXPECT_EQ(material.error().field, "parameters." + name);
+      EXPECT_THAT(material.error().allowed, HasSubstr(std::string(p.words[0])));
+    }
+  }
+}
+
+TEST_P(EachModel, TakesOneNumberAChannelForColoursOnly) {
+  for (const Parameter& p : model().parameters) {
+    if (p.kind == Kind::word) continue;
+    for (const std::size_t count :
+         {std::size_t{0}, std::size_t{2}, std::size_t{64}, std::size_t{65}}) {
+      const auto material = with(std::string(p.name), std::vector<double>(count, p.start));
+      const bool allowed = p.kind == Kind::colour && count >= 1 && count <= kMaxChannels;
+      ASSERT_EQ(material.ok(), allowed) << p.name << " with " << count;
+      if (allowed) {
+        EXPECT_EQ(material->channels(), static_cast<int>(count));
+      }
+    }
+  }
+}
+
+TEST_P(EachModel, RefusesParametersOfOthers) {
+  const auto material = with("no_such", std::vector{1.0});
+  ASSERT_FALSE(material.ok());
+  EXPECT_EQ(material.error().field, "parameters.no_such");
+  for (const Parameter& p : model().parameters) {
+    EXPECT_THAT(material.error().allowed, HasSubstr(std::string(p.name)));
+  }
+}
+
+std::vector<std::string> analytic_models() {
+  std::vector<std::string> names;
+  for (const ModelDescription& model : models()) {
+    if (model.role != Role::measured) names.emplace_back(model.name);
+  }
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, EachModel, ::testing::ValuesIn(analytic_models()),
+                         [](const auto& name) { return name.param; });
+
+}  // namespace
+}  // namespace gonio
