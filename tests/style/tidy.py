@@ -11,6 +11,7 @@ import hashlib
 import json
 import os
 import pathlib
+import shlex
 import subprocess
 import sys
 
@@ -21,6 +22,8 @@ EXTRA = [
     "--extra-arg=-Wno-ignored-optimization-argument",
     "--extra-arg=-Wno-sign-conversion",
 ]
+# Straight arithmetic, instantiated hundreds of times: the path-sensitive analysis takes minutes and has no paths to follow.
+NO_ANALYZER = {"src/engine/kernels.cpp"}
 
 
 def commands(build, prefixes):
@@ -34,6 +37,11 @@ def commands(build, prefixes):
         if not prefixes or name.startswith(tuple(prefixes)):
             first.setdefault(name, entry)
     return first
+
+
+def object_of(entry):
+    words = shlex.split(entry["command"])
+    return words[words.index("-o") + 1]
 
 
 def included_files(build):
@@ -59,9 +67,9 @@ def key_of(entry, dependencies, version):
 
 
 def check(build, name):
-    run = subprocess.run(
-        ["clang-tidy", "--quiet", "-p", build, *EXTRA, str(ROOT / name)], capture_output=True, text=True
-    )
+    checks = ["--checks=-clang-analyzer-*"] if name in NO_ANALYZER else []
+    command = ["clang-tidy", "--quiet", "-p", build, *checks, *EXTRA, str(ROOT / name)]
+    run = subprocess.run(command, capture_output=True, text=True)
     return run.returncode == 0, run.stdout + ("" if run.stdout else run.stderr)
 
 
@@ -74,7 +82,7 @@ def main():
     version = subprocess.run(["clang-tidy", "--version"], check=True, capture_output=True, text=True).stdout
     cache = build / "tidy"
     cache.mkdir(exist_ok=True)
-    keys = {name: key_of(entry, includes.get(entry["output"], []), version) for name, entry in sources.items()}
+    keys = {name: key_of(entry, includes.get(object_of(entry), []), version) for name, entry in sources.items()}
     todo = [name for name in sorted(sources) if not (cache / keys[name]).exists()]
     print(f"clang-tidy: {len(todo)} of {len(sources)} files to check", flush=True)
     failed = 0
