@@ -58,19 +58,24 @@ void add_evaluate_options(CLI::App& command, EvaluateArguments& arguments) {
       ->type_name("P")
       ->check(CLI::IsMember({"fast", "reference"}, CLI::ignore_case).description(kPrecisions));
   command
-      .add_option("--isa", arguments.isa, "Instruction set: auto (the default), baseline, avx2, avx512")
+      .add_option("--isa", arguments.isa,
+                  "Instruction set: auto (the default), baseline, avx2, avx512")
       ->type_name("SET")
       ->check(CLI::IsMember({"auto", "baseline", "avx2", "avx512"}).description("SET"));
   command.add_flag("--deg", arguments.degrees, "Angles are in degrees");
-  command.add_option("--format", arguments.format, "csv, json or npy; else by OUT's extension, else csv")
+  command
+      .add_option("--format", arguments.format,
+                  "csv, json or npy; else by OUT's extension, else csv")
       ->type_name("F")
       ->check(CLI::IsMember({"csv", "json", "npy"}).description("F"));
-  command.add_option("-o,--output", arguments.output, "Where the results go; - is stdout, the default")
+  command
+      .add_option("-o,--output", arguments.output, "Where the results go; - is stdout, the default")
       ->type_name("OUT");
   command.add_flag("--with-input", arguments.with_input,
                    "Put the input's columns (directions or angles) before the results; CSV only");
   add_connection_options(command, arguments.connection);
-  command.add_flag("--quiet,-q", arguments.quiet, "No progress bar and no summary of flagged pairs");
+  command.add_flag("--quiet,-q", arguments.quiet,
+                   "No progress bar and no summary of flagged pairs");
   command.add_flag("--verbose,-v", arguments.verbose,
                    "Report time, speed, instruction set and accuracy on stderr");
 }

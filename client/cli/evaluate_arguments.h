@@ -27,7 +27,8 @@ struct EvaluateArguments {
 
 void add_evaluate_options(CLI::App& command, EvaluateArguments& arguments);
 
-// The format asked for, or that of the output's extension, or CSV. Errors: what does not go together.
+// The format asked for, or that of the output's extension, or CSV. Errors: what does not go
+// together.
 Result<Format> chosen_format(const EvaluateArguments& arguments);
 
 }  // namespace gonio::cli

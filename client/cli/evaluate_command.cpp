@@ -54,8 +54,8 @@ struct Input {
 };
 
 template <class T>
-std::unique_ptr<ResultWriter<T>> make_writer(Format format, OutputFile& output, const Input<T>& input,
-                                             bool with_input) {
+std::unique_ptr<ResultWriter<T>> make_writer(Format format, OutputFile& output,
+                                             const Input<T>& input, bool with_input) {
   switch (format) {
     case Format::json:
       return json_writer<T>(output);

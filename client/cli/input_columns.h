@@ -1,4 +1,5 @@
-// The columns of the input, put before the results (--with-input). Thread safety: used by one thread.
+// The columns of the input, put before the results (--with-input). Thread safety: used by one
+// thread.
 #pragma once
 
 #include "client/cli/grid_spec.h"

@@ -32,6 +32,14 @@ Direction tilt(double sin_h, double cos_h, const Direction& d) {
 
 }  // namespace
 
+template <class T>
+void direction_at(double theta, double phi, T* out) {
+  store({std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)}, out);
+}
+
+template void direction_at(double, double, float*);
+template void direction_at(double, double, double*);
+
 Result<Grid> Grid::spherical(std::vector<double> theta_i, std::vector<double> phi_i,
                              std::vector<double> theta_o, std::vector<double> phi_o) {
   constexpr std::array<std::string_view, 4> kNames{"theta_i", "phi_i", "theta_o", "phi_o"};

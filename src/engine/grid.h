@@ -18,6 +18,11 @@
 
 namespace gonio {
 
+// The direction at `theta` from the normal and `phi` from u, as a grid has it: exactly in the
+// horizon where theta means that. Writes x, y, z.
+template <class T>
+void direction_at(double theta, double phi, T* out);
+
 class Grid {
  public:
   // Errors: an empty axis, an angle that is not finite (each named like "theta_i" or "theta_i[3]"),

@@ -1,7 +1,8 @@
 // The batch kernels of one instruction set: compiled three times, with GONIO_ISA naming the namespace.
 //
-// One function per kind of model and precision loops over packets: geometry once, then every channel. There is no
-// remainder loop: callers pad, so that a pair's result cannot depend on where in a batch it stands.
+// One function per kind of model and precision takes blocks of packets through a model's steps: stage (from the geometry),
+// terms (what all channels share), value (of a channel). There is no remainder loop: callers pad, so that a pair's result cannot depend on where in a batch it stands.
+#include <algorithm>
 #include <array>
 
 #include "engine/constants.h"
@@ -16,27 +17,57 @@
 namespace gonio::GONIO_ISA {
 namespace {
 
-template <class N, class Kind, class In>
-void analytic(const void* constants, const KernelInput<In>& input, const KernelOutput<typename N::Out>& output) {
+// Packets taken through one step at a time. The whole chain of one packet is longer than what a processor can look ahead,
+// so it would wait for itself; a step is short enough that several packets overlap.
+constexpr std::size_t kBlock = 16;
+
+template <class N, class Kind>
+struct Block {
+  typename N::Mask valid[kBlock];
+  typename Kind::template Stage<N> stage[kBlock];
+  typename Kind::template Terms<N> terms[kBlock];
+};
+
+// One channel of a block's packets.
+template <bool kAccumulate, class N, class Kind>
+GONIO_INLINE void write_channel(const Block<N, Kind>& block, const Constants<Kind>& constants, int c, std::size_t packets,
+                                typename N::Out* to) {
   using Real = typename N::Real;
-  using RealScalar = typename N::RealScalar;
+  const auto wide = constants.wide[c];
+  const auto real = constants.template channel<typename N::RealScalar>(c);
+  for (std::size_t p = 0; p < packets; ++p, to += raw::kWidth) {
+    const Real value = Kind::template value<N>(block.terms[p], wide, real);
+    Real result = select(block.valid[p], min(N::largest(), value), Real(0));
+    if constexpr (kAccumulate) result = min(N::largest(), result + Real::load(to));
+    result.store(to);
+  }
+}
+
+template <class N, class Kind, class In>
+void analytic(const void* constants, const KernelInput<In>& in, const KernelOutput<typename N::Out>& out) {
   const auto& given = *static_cast<const Constants<Kind>*>(constants);
-  // Copies that no store can alias, so that they stay in registers.
-  const KernelInput<In> in = input;
-  const KernelOutput<typename N::Out> out = output;
+  // A copy that no store can alias, so that it stays in registers.
   const auto shape = given.shape;
-  const int channels = given.channels;
-  for (std::size_t i = 0; i < in.count; i += raw::kWidth) {
-    const Geometry<N> g = load_geometry<N>(in, i);
-    const unsigned valid = g.valid.bits();
-    if (valid != kAllLanes) note_flags(in, i, valid, out.flags);
-    const auto terms = Kind::template terms<N>(shape, g);
-    for (int c = 0; c < channels; ++c) {
-      const Real value = Kind::template value<N>(terms, given.wide[c], given.template channel<RealScalar>(c));
-      typename N::Out* to = out.values + static_cast<std::size_t>(c) * out.channel_stride + i;
-      Real result = select(g.valid, min(N::largest(), value), Real(0));
-      if (out.accumulate) result = min(N::largest(), result + Real::load(to));
-      result.store(to);
+  Block<N, Kind> block;
+  for (std::size_t begin = 0; begin < in.count; begin += kBlock * raw::kWidth) {
+    const std::size_t packets = std::min(kBlock, (in.count - begin) / raw::kWidth);
+    for (std::size_t p = 0; p < packets; ++p) {
+      const Geometry<N> g = load_geometry<N>(in, begin + p * raw::kWidth);
+      block.valid[p] = g.valid;
+      block.stage[p] = Kind::template stage<N>(shape, g);
+    }
+    for (std::size_t p = 0; p < packets; ++p) block.terms[p] = Kind::template terms<N>(shape, block.stage[p]);
+    for (std::size_t p = 0; p < packets; ++p) {
+      const unsigned valid = block.valid[p].bits();
+      if (valid != kAllLanes) note_flags(in, begin + p * raw::kWidth, valid, out.flags);
+    }
+    for (int c = 0; c < given.channels; ++c) {
+      typename N::Out* to = out.values + static_cast<std::size_t>(c) * out.channel_stride + begin;
+      if (out.accumulate) {
+        write_channel<true>(block, given, c, packets, to);
+      } else {
+        write_channel<false>(block, given, c, packets, to);
+      }
     }
   }
 }

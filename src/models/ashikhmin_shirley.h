@@ -50,6 +50,11 @@ struct AshikhminShirley {
     S specular, specular_rest, diffuse;  // scale rs, scale (1 - rs), 28 rd (1 - rs) / (23 pi)
   };
   template <class N>
+  struct Stage {
+    typename N::Wide weighted, s, c;  // -(nu Hx^2 + nv Hy^2)/2, Hx^2 + Hy^2, Hz^2
+    typename N::Real cos_i, cos_o, cos_d, one_minus_cos_d;
+  };
+  template <class N>
   struct Terms {
     typename N::Real amplitude, w5, diffuse;
   };
@@ -68,20 +73,25 @@ struct AshikhminShirley {
   }
 
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>& k, const Geometry<N>& g) {
+  static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>& k, const Geometry<N>& g) {
     using Wide = typename N::Wide;
-    using Real = typename N::Real;
     const Vec3<Wide> h = g.h();
     const Wide x2 = h.x * h.x, y2 = h.y * h.y;
-    const Wide s = x2 + y2;
-    // At h = n both factors vanish; the bound keeps 0/0 away.
-    const Wide e = (Wide(k.minus_half_nu) * x2 + Wide(k.minus_half_nv) * y2) / max(s, Wide(1e-200));
-    const Wide exponent = e * N::log2_1p(s, h.z * h.z);
-    const Real cos_d = g.cos_d();
+    const typename N::Real cos_d = g.cos_d();
+    return {Wide(k.minus_half_nu) * x2 + Wide(k.minus_half_nv) * y2, x2 + y2, h.z * h.z, g.cos_i(), g.cos_o(), cos_d,
+            g.one_minus(cos_d)};
+  }
+
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>& k, const Stage<N>& g) {
+    using Wide = typename N::Wide;
+    using Real = typename N::Real;
+    // At h = n both factors of the exponent vanish; the bound keeps 0/0 away.
+    const Wide exponent = g.weighted / max(g.s, Wide(1e-200)) * N::log2_1p(g.s, g.c);
     // Divided one after the other: the product of two tiny cosines would underflow.
-    const Real amplitude = N::times_exp2(Real(k.norm) / cos_d / max(g.cos_i(), g.cos_o()), exponent);
-    const Real w = g.one_minus(cos_d);
-    return {min(N::largest(), amplitude), (w * w) * (w * w) * w, falloff(g.cos_i()) * falloff(g.cos_o())};
+    const Real amplitude = N::times_exp2(Real(k.norm) / g.cos_d / max(g.cos_i, g.cos_o), exponent);
+    const Real w = g.one_minus_cos_d;
+    return {min(N::largest(), amplitude), (w * w) * (w * w) * w, falloff(g.cos_i) * falloff(g.cos_o)};
   }
 
   // 1 - (1 - cos/2)^5.

@@ -44,18 +44,26 @@ struct CookTorrance {
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k, const Geometry<N>& g) {
+  struct Stage {
+    typename N::Wide s, h2, z, cos_max, cos_min;  // Hx^2 + Hy^2, |H|^2, Hz
+  };
+
+  template <class N>
+  static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>&, const Geometry<N>& g) {
+    const Vec3<typename N::Wide> h = g.h();
+    return {h.x * h.x + h.y * h.y, g.h_length2(), h.z, max(g.wi.z, g.wo.z), min(g.wi.z, g.wo.z)};
+  }
+
+  template <class N>
+  static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k, const Stage<N>& g) {
     using Wide = typename N::Wide;
     using Real = typename N::Real;
-    const Vec3<Wide> h = g.h();
-    const Wide h2 = g.h_length2();
-    const Wide inverse_z2 = Wide(1) / (h.z * h.z);
-    const Wide tan2 = (h.x * h.x + h.y * h.y) * inverse_z2;
-    // Beyond this the exponential is 0 for every m; the bound keeps its factor finite.
-    const Real sec2 = N::real(min(h2 * inverse_z2, Wide(1e9)));
-    const Wide cos_max = max(g.wi.z, g.wo.z), cos_min = min(g.wi.z, g.wo.z);
-    const Real masking = N::real(h.z / (cos_max * max(Wide(4) * cos_min * h.z, h2)));
-    return N::times_exp2(min(N::largest(), Real(k.norm) * (sec2 * sec2) * masking), tan2 * Wide(k.minus_inverse_m2));
+    const Wide inverse_z2 = Wide(1) / (g.z * g.z);
+    // Beyond the bound the exponential is 0 for every m; it keeps the other factor finite.
+    const Real sec2 = N::real(min(g.h2 * inverse_z2, Wide(1e9)));
+    const Real masking = N::real(g.z / (g.cos_max * max(Wide(4) * g.cos_min * g.z, g.h2)));
+    const Real rest = min(N::largest(), Real(k.norm) * (sec2 * sec2) * masking);
+    return N::times_exp2(rest, g.s * inverse_z2 * Wide(k.minus_inverse_m2));
   }
 };
 

@@ -46,14 +46,24 @@ struct Ggx {
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k, const Geometry<N>& g) {
+  struct Stage {
+    typename N::Wide h2, stretched;  // |H|^2, and the same with the roughness divided out
+    typename N::Real visible;        // (n.wo) L(wi) + (n.wi) L(wo)
+  };
+
+  template <class N>
+  static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>& k, const Geometry<N>& g) {
     using Wide = typename N::Wide;
-    using Real = typename N::Real;
     const Vec3<Wide> h = g.h();
-    const Wide stretched = h.x * h.x * Wide(k.inverse_ax2) + h.y * h.y * Wide(k.inverse_ay2) + h.z * h.z;
-    const Real ratio = N::real(g.h_length2() / stretched);
-    const Real visible = g.cos_o() * length<N>(k, g.real_wi) + g.cos_i() * length<N>(k, g.real_wo);
-    return Real(k.norm) * (ratio * ratio) / max(visible, Real(1e-38));
+    return {g.h_length2(), h.x * h.x * Wide(k.inverse_ax2) + h.y * h.y * Wide(k.inverse_ay2) + h.z * h.z,
+            g.cos_o() * length<N>(k, g.real_wi) + g.cos_i() * length<N>(k, g.real_wo)};
+  }
+
+  template <class N>
+  static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k, const Stage<N>& g) {
+    using Real = typename N::Real;
+    const Real ratio = N::real(g.h2 / g.stretched);
+    return Real(k.norm) * (ratio * ratio) / max(g.visible, Real(1e-38));
   }
 
   // L(w): the length of w with its tangential part scaled by the roughness.

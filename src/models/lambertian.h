@@ -33,6 +33,8 @@ struct Lambertian {
     S value;
   };
   template <class N>
+  struct Stage {};
+  template <class N>
   struct Terms {};
 
   template <class S>
@@ -41,7 +43,9 @@ struct Lambertian {
   static Channel<S> channel(const ParameterValues<S>& p, int c) { return {p.colour("rd", c) / S(3.14159265358979323846)}; }
 
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>&, const Geometry<N>&) { return {}; }
+  static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>&, const Geometry<N>&) { return {}; }
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>&, const Stage<N>&) { return {}; }
   template <class N>
   static GONIO_INLINE typename N::Real value(const Terms<N>&, const Channel<typename N::WideScalar>&,
                                              const Channel<typename N::RealScalar>& c) {

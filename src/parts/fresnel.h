@@ -1,11 +1,12 @@
 // Fresnel reflectance, as a part that microfacet models share.
 //
-// Each kind offers Channel<S> (its constants of one colour channel), Terms<N> (what depends on the directions only) and
-// reflectance<N>(terms, channel). All take cos(theta_d) = h.k, the angle at the microfacet, never n.k.
+// Each kind offers Channel<S> (its constants of one colour channel), Stage<N> and Terms<N> (what depends on the directions
+// only, in two steps as in lobe.h) and reflectance<N>(terms, channel). All take cos(theta_d) = h.k, the angle at the microfacet, never n.k.
 // Sources: Schlick 1994, eq. 15; Born & Wolf, "Principles of Optics", 1.5.2 and 14.2.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "models/description.h"
@@ -52,9 +53,13 @@ struct None {
   template <class S>
   static Channel<S> channel(const ParameterValues<S>&, int) { return {}; }
   template <class N>
-  struct Terms {
-    GONIO_INLINE explicit Terms(const Geometry<N>&) {}
-  };
+  struct Stage {};
+  template <class N>
+  struct Terms {};
+  template <class N>
+  static GONIO_INLINE Stage<N> stage(const Geometry<N>&) { return {}; }
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Stage<N>&) { return {}; }
   template <class N>
   static GONIO_INLINE typename N::Real reflectance(const Terms<N>&, const Channel<typename N::WideScalar>&,
                                                    const Channel<typename N::RealScalar>&) {
@@ -74,13 +79,17 @@ struct Schlick {
     return {f0, S(1) - f0};
   }
   template <class N>
-  struct Terms {
-    typename N::Real w5;  // (1 - h.k)^5
-    GONIO_INLINE explicit Terms(const Geometry<N>& g) {
-      const auto w = g.one_minus(g.cos_d());
-      w5 = (w * w) * (w * w) * w;
-    }
+  struct Stage {
+    typename N::Real w;  // 1 - h.k
   };
+  template <class N>
+  struct Terms {
+    typename N::Real w5;
+  };
+  template <class N>
+  static GONIO_INLINE Stage<N> stage(const Geometry<N>& g) { return {g.one_minus(g.cos_d())}; }
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Stage<N>& g) { return {(g.w * g.w) * (g.w * g.w) * g.w}; }
   template <class N>
   static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::WideScalar>&,
                                                    const Channel<typename N::RealScalar>& c) {
@@ -103,11 +112,18 @@ struct Dielectric {
     return {eta * eta, (eta - S(1)) * (eta + S(1))};
   }
   template <class N>
+  struct Stage {
+    typename N::Wide c2;
+  };
+  template <class N>
   struct Terms {
     typename N::Wide c2;
     typename N::Real c;
-    GONIO_INLINE explicit Terms(const Geometry<N>& g) : c2(g.cos2_d()), c(N::root(c2)) {}
   };
+  template <class N>
+  static GONIO_INLINE Stage<N> stage(const Geometry<N>& g) { return {g.cos2_d()}; }
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Stage<N>& g) { return {g.c2, N::root(g.c2)}; }
   template <class N>
   static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::WideScalar>& k,
                                                    const Channel<typename N::RealScalar>& real) {
@@ -138,10 +154,20 @@ struct Conductor {
     return {(eta - S(1)) * (eta + S(1)) - k * k, S(2) * eta * k};
   }
   template <class N>
+  struct Stage {
+    typename N::Wide c2;
+  };
+  template <class N>
   struct Terms {
     typename N::Wide c2, s2, c;
-    GONIO_INLINE explicit Terms(const Geometry<N>& g) : c2(g.cos2_d()), s2(typename N::Wide(1) - c2), c(sqrt(c2)) {}
   };
+  template <class N>
+  static GONIO_INLINE Stage<N> stage(const Geometry<N>& g) { return {g.cos2_d()}; }
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Stage<N>& g) {
+    using std::sqrt;
+    return {g.c2, typename N::Wide(1) - g.c2, sqrt(g.c2)};
+  }
   template <class N>
   static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::WideScalar>& k,
                                                    const Channel<typename N::RealScalar>&) {

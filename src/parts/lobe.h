@@ -30,9 +30,15 @@ struct Lobe {
   };
 
   template <class N>
+  struct Stage {
+    typename Model::template Stage<N> model;
+    [[no_unique_address]] typename Fresnel::template Stage<N> fresnel;
+  };
+
+  template <class N>
   struct Terms {
     typename N::Real amplitude;
-    typename Fresnel::template Terms<N> fresnel;
+    [[no_unique_address]] typename Fresnel::template Terms<N> fresnel;
   };
 
   template <class S>
@@ -42,8 +48,13 @@ struct Lobe {
   static Channel<S> channel(const ParameterValues<S>& p, int c) { return {p.colour("scale", c), Fresnel::channel(p, c)}; }
 
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>& shape, const Geometry<N>& g) {
-    return {min(N::largest(), Model::template amplitude<N>(shape, g)), typename Fresnel::template Terms<N>(g)};
+  static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>& shape, const Geometry<N>& g) {
+    return {Model::template stage<N>(shape, g), Fresnel::template stage<N>(g)};
+  }
+
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>& shape, const Stage<N>& stage) {
+    return {min(N::largest(), Model::template amplitude<N>(shape, stage.model)), Fresnel::template terms<N>(stage.fresnel)};
   }
 
   template <class N>

@@ -1,0 +1,126 @@
+// A service that answers with a simple formula and misbehaves on request: what a client must cope
+// with.
+//
+// It speaks the generated API, so it also shows that the client's own encoding is plain protobuf.
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "gonio/v1/service.grpc.pb.h"
+
+namespace gonio::test {
+
+inline constexpr int kFakeChannels = 2;
+inline float fake_value(float wi_z, float wo_z, int channel) {
+  return wi_z + 2 * wo_z + static_cast<float>(channel);
+}
+
+class FakeService final : public v1::GonioService::Service {
+ public:
+  // What to do; set before use.
+  std::atomic<int> unary_failures{0};  // fail this many calls with `failure`
+  grpc::Status failure{grpc::StatusCode::UNAVAILABLE, "not now"};
+  std::string pushback;  // trailing metadata of a failed call; empty for none
+  std::function<void(v1::EvaluateResponse&)> spoil = [](auto&) {};
+  std::atomic<int> break_after{-1};    // end a stream after so many answers, once
+  bool reverse = false;                // answer chunks two by two, the second first
+  std::atomic<int> chunk_failures{0};  // answer so many chunks with `chunk_error`
+  v1::ErrorDetail chunk_error;
+  std::chrono::milliseconds delay{0};  // before every answer
+
+  // What happened.
+  std::atomic<int> unary_calls{0}, streams{0}, chunks{0}, materials{0};
+  std::atomic<std::uint64_t> last_sequence{0};
+
+  grpc::Status Evaluate(grpc::ServerContext* context, const v1::EvaluateRequest* request,
+                        v1::EvaluateResponse* response) override {
+    ++unary_calls;
+    std::this_thread::sleep_for(delay);
+    if (unary_failures > 0) {
+      --unary_failures;
+      if (!pushback.empty()) context->AddTrailingMetadata("grpc-retry-pushback-ms", pushback);
+      return failure;
+    }
+    fill(*request, *response);
+    return grpc::Status::OK;
+  }
+
+  grpc::Status EvaluateStream(
+      grpc::ServerContext* context,
+      grpc::ServerReaderWriter<v1::EvaluateStreamResponse, v1::EvaluateStreamRequest>* stream)
+      override {
+    ++streams;
+    v1::EvaluateStreamRequest request;
+    std::vector<v1::EvaluateStreamResponse> held;
+    int answered = 0;
+    bool seen_material = false;
+    while (stream->Read(&request)) {
+      ++chunks;
+      if (request.evaluate().has_material()) ++materials;
+      seen_material = seen_material || request.evaluate().has_material();
+      if (!seen_material) return {grpc::StatusCode::INVALID_ARGUMENT, "no material"};
+      std::this_thread::sleep_for(delay);
+      if (context->IsCancelled()) return grpc::Status::CANCELLED;
+      held.push_back(answer(request));
+      if (break_after >= 0 && answered >= break_after) {
+        break_after = -1;
+        if (!pushback.empty()) context->AddTrailingMetadata("grpc-retry-pushback-ms", pushback);
+        return failure;
+      }
+      if (reverse && held.size() < 2 && request.sequence() + 1 < last_sequence) continue;
+      for (; !held.empty(); held.pop_back(), ++answered) stream->Write(held.back());
+    }
+    for (; !held.empty(); held.pop_back()) stream->Write(held.back());
+    return grpc::Status::OK;
+  }
+
+ private:
+  v1::EvaluateStreamResponse answer(const v1::EvaluateStreamRequest& request) {
+    v1::EvaluateStreamResponse response;
+    response.set_sequence(request.sequence());
+    if (chunk_failures > 0) {
+      --chunk_failures;
+      *response.mutable_error() = chunk_error;
+    } else {
+      fill(request.evaluate(), *response.mutable_evaluate());
+    }
+    return response;
+  }
+
+  void fill(const v1::EvaluateRequest& request, v1::EvaluateResponse& response) const {
+    const auto& pairs = request.pairs();
+    response.set_channels(kFakeChannels);
+    for (int i = 2; i < pairs.wi_size(); i += 3) {
+      for (int c = 0; c < kFakeChannels; ++c) {
+        response.add_values(fake_value(pairs.wi(i), pairs.wo(i), c));
+      }
+    }
+    spoil(response);
+  }
+};
+
+// Serves a FakeService on a free port of the loopback interface.
+struct FakeServer {
+  FakeService service;
+  int port = 0;
+  std::unique_ptr<grpc::Server> server;
+
+  FakeServer() {
+    grpc::ServerBuilder builder;
+    builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port);
+    builder.RegisterService(&service);
+    server = builder.BuildAndStart();
+  }
+  ~FakeServer() { server->Shutdown(std::chrono::system_clock::now()); }
+  [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port); }
+};
+
+}  // namespace gonio::test
