@@ -16,12 +16,12 @@ do for [k = 1:|at|] {
   touch[k] = radius(STATS_max)
 }
 
-set terminal pngcairo size 1600, 900 enhanced font "DejaVu Sans,17" linewidth 1.5 background rgb "white"
+set terminal pngcairo size 1600, 760 enhanced font "DejaVu Sans,17" linewidth 1.5 background rgb "white"
 set output out
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
 set size ratio -1
-set xrange [-8 * rings / 5.0 : 8 * rings / 5.0]
-set yrange [-1 * rings / 5.0 : 8 * rings / 5.0]
+set xrange [-1.6 * rings : 1.6 * rings]
+set yrange [-0.2 * rings : 1.32 * rings]
 unset border; unset tics; unset key
 
 grey = "#D4D4D4"
@@ -39,6 +39,9 @@ do for [spoke = -75:75:15] {
 }
 set arrow from -rings * 1.04, 0 to rings * 1.04, 0 nohead lc rgb "#404040" lw 1.2 front
 set label "{/:Italic f} in 1/sr, one ring a decade" at 0, -0.55 center font "DejaVu Sans,15" tc rgb "#404040"
+
+set label "BRDF lobes in the plane of incidence, along the brushing; light at " . sprintf("%g°", angle_i) . "; green channel" \
+    at 0, 1.22 * rings center font "DejaVu Sans,19"
 
 # wi points to the light; the mirror direction is dashed.
 set arrow from 0, 0 to -rings * 0.97 * sin(angle_i), rings * 0.97 * cos(angle_i) \
