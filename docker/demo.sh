@@ -55,8 +55,8 @@ mkdir -p "$materials"
 cp tests/data/materials/*.json "$materials"
 data=${GONIO_DATA:-$top/../shared/data}
 if [ -r "$data/merl/npf.bin" ]; then
-  measured=gold-metallic-paint
-  label="gold metallic paint\\n{/*0.8 measured}"
+  measured=yellow-phenolic
+  label="yellow phenolic\\n{/*0.8 measured}"
   GONIO_DATA=$data "$bin/make_merl" "$materials/$measured.binary" "$measured"
   echo "$measured: measured, from $data/merl"
 else
