@@ -1,5 +1,6 @@
 #include "server/direction_source.h"
 
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,10 +9,12 @@ namespace gonio {
 namespace {
 
 using Kind = wire::Request::Kind;
+using Axis = google::protobuf::RepeatedField<double>;
 
-std::vector<double> axis(const google::protobuf::RepeatedField<double>& values) {
-  return {values.begin(), values.end()};
-}
+// The axes are prepared by the thread that reads the request, which must not be held up for long.
+constexpr std::size_t kMaxAngles = std::size_t{1} << 20;
+
+std::vector<double> axis(const Axis& values) { return {values.begin(), values.end()}; }
 
 Outcome check_lengths(const wire::Request& request, const std::string& field) {
   const std::size_t wi = request.wi.count, wo = request.wo.count;
@@ -25,16 +28,29 @@ Outcome check_lengths(const wire::Request& request, const std::string& field) {
                    std::to_string(wi) + ", as many as " + field + ".wi has");
 }
 
+std::size_t angles_in(std::initializer_list<const Axis*> axes) {
+  std::size_t angles = 0;
+  for (const Axis* axis : axes) angles += static_cast<std::size_t>(axis->size());
+  return angles;
+}
+
 Result<Grid> make_grid(const v1::Grid& grid) {
-  const bool spherical =
-      grid.theta_i_size() + grid.phi_i_size() + grid.theta_o_size() + grid.phi_o_size() > 0;
-  const bool half_angle = grid.theta_h_size() + grid.theta_d_size() + grid.phi_d_size() > 0;
+  const std::size_t spherical =
+      angles_in({&grid.theta_i(), &grid.phi_i(), &grid.theta_o(), &grid.phi_o()});
+  const std::size_t half_angle = angles_in({&grid.theta_h(), &grid.theta_d(), &grid.phi_d()});
   constexpr const char* kAllowed =
       "either theta_i, phi_i, theta_o and phi_o, or theta_h, theta_d and phi_d";
-  if (spherical && half_angle) return bad_value("grid", "given with axes of both kinds", kAllowed);
-  if (!spherical && !half_angle) return bad_value("grid", "without axes", kAllowed);
-  if (half_angle)
+  if (spherical > 0 && half_angle > 0) {
+    return bad_value("grid", "given with axes of both kinds", kAllowed);
+  }
+  if (spherical + half_angle == 0) return bad_value("grid", "without axes", kAllowed);
+  if (spherical + half_angle > kMaxAngles) {
+    return bad_value("grid", std::to_string(spherical + half_angle) + " angles",
+                     "at most " + std::to_string(kMaxAngles) + " angles, all axes together");
+  }
+  if (half_angle > 0) {
     return Grid::half_angle(axis(grid.theta_h()), axis(grid.theta_d()), axis(grid.phi_d()));
+  }
   return Grid::spherical(axis(grid.theta_i()), axis(grid.phi_i()), axis(grid.theta_o()),
                          axis(grid.phi_o()));
 }

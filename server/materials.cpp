@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -84,6 +85,14 @@ Result<std::vector<fs::path>> material_files(const fs::path& folder) {
   if (failure)
     return unreadable(folder, "the materials folder cannot be read: " + failure.message());
   std::sort(files.begin(), files.end());
+  std::set<std::string> names;
+  for (const fs::path& file : files) {
+    const std::string name = file.stem().string();
+    if (!names.insert(name).second) {
+      return unreadable(
+          file, "there is another file for a material \"" + name + "\"; rename one of them");
+    }
+  }
   return files;
 }
 
@@ -91,10 +100,6 @@ Result<std::vector<fs::path>> material_files(const fs::path& folder) {
 
 Outcome Materials::add(const fs::path& folder, const fs::path& file) {
   const std::string name = file.stem().string();
-  if (stored_.contains(name)) {
-    return unreadable(file,
-                      "there is another file for a material \"" + name + "\"; rename one of them");
-  }
   if (!can_be_sent(name)) return unreadable(file, "the file's name is not UTF-8");
   auto material = load_file(folder, file);
   if (!material) return within(file, material.error());

@@ -162,8 +162,8 @@ Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options) {
   const auto listening = state->listen(*addresses);
   if (!listening) return listening.error();
   state->grpc->GetHealthCheckService()->SetServingStatus(WireService::service_full_name(), true);
-  state->logger->info("stored materials: {}, compute threads: {}",
-                      state->materials.names().size(), state->pool.threads());
+  state->logger->info("stored materials: {}, compute threads: {}", state->materials.names().size(),
+                      state->pool.threads());
   return std::unique_ptr<Server>(new Server(std::move(state)));
 }
 

@@ -25,7 +25,7 @@ namespace gonio {
 struct ServerOptions {
   // Each "host:port" (port 0 takes a free one), "[::1]:port" or "unix:/path". Empty: reached
   // in-process only.
-  std::vector<std::string> addresses;
+  std::vector<std::string> addresses = {};
   // Compute threads; 0 means one per processor.
   int threads = 0;
   // Batches queued or being computed at a time; one more is refused with RESOURCE_EXHAUSTED.
@@ -35,7 +35,7 @@ struct ServerOptions {
   // What gRPC may hold in buffers, all connections together.
   std::size_t memory_quota_bytes = std::size_t{1} << 30;
   // Every *.json and *.binary in it is served under its stem; empty for none.
-  std::filesystem::path materials;
+  std::filesystem::path materials = {};
   // Lets a request name a file of this machine: {"model": "measured", "parameters": {"file":
   // "x.binary"}}. Only for a server that is private to one user.
   bool allow_local_files = false;
@@ -43,7 +43,7 @@ struct ServerOptions {
   // look elsewhere.
   std::chrono::milliseconds lame_duck{0};
   // Null: no log.
-  std::shared_ptr<spdlog::logger> logger;
+  std::shared_ptr<spdlog::logger> logger = nullptr;
 };
 
 class Server {
@@ -56,7 +56,8 @@ class Server {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  // A channel to this server that uses no socket. It must not outlive the server.
+  // A channel to this server that uses no socket. No call may be made on it once shutdown() has
+  // begun: unlike a real connection's, gRPC's in-process transport does not survive it.
   [[nodiscard]] std::shared_ptr<grpc::Channel> in_process_channel();
 
   // The port of the first TCP address (the one chosen, where 0 was asked for); 0 if there is none.

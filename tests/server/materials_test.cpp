@@ -1,0 +1,191 @@
+// A materials folder: what is served, and what is said of files that cannot be.
+#include "server/materials.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "measured/synthetic_merl.h"
+#include "measured/table.h"
+#include "measured/temp_folder.h"
+#include "server/harness.h"
+
+namespace gonio::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::ElementsAreArray;
+using ::testing::HasSubstr;
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+}
+
+ServerOptions serving(const TempFolder& folder) {
+  ServerOptions options;
+  options.materials = folder / "";
+  return options;
+}
+
+// The message of a folder that must not load.
+std::string refusal(const TempFolder& folder) {
+  const auto server = Server::start(serving(folder));
+  EXPECT_FALSE(server.ok());
+  return server ? "" : server.error().message;
+}
+
+std::vector<float> values_of(TestServer& server, const std::string& name, const PairArrays& pairs) {
+  v1::EvaluateRequest request = request_for(pairs, 0, pairs.size());
+  request.mutable_material()->set_name(name);
+  const auto response = server.evaluated(request);
+  return {response.values().begin(), response.values().end()};
+}
+
+TEST(Materials, AreServedUnderTheirFilesNames) {
+  const TempFolder folder;
+  write(
+      folder / "gold.json",
+      R"({"model": "ggx", "parameters": {"f0": [1, 0.86, 0.57], "alpha_x": 0.2, "alpha_y": 0.2}})");
+  write(folder / "paint.json",
+        R"({"diffuse": {"model": "lambertian"}, "specular": [{"model": "cook_torrance"}]})");
+  write(folder / "README.txt", "not a material");
+  TestServer server(serving(folder));
+  grpc::ClientContext context;
+  v1::ListModelsResponse listed;
+  ASSERT_TRUE(server.stub->ListModels(&context, {}, &listed).ok());
+  EXPECT_THAT(listed.materials(), ElementsAre("gold", "paint"));
+  const PairArrays pairs = random_pairs(100);
+  EXPECT_THAT(values_of(server, "gold", pairs),
+              ElementsAreArray(core_values<float, float>(core_ggx(), pairs.wi, pairs.wo)));
+}
+
+TEST(Materials, AMisspeltNameGetsSuggestions) {
+  const TempFolder folder;
+  write(folder / "gold.json", R"({"model": "ggx"})");
+  TestServer server(serving(folder));
+  v1::EvaluateRequest request = request_for(random_pairs(1), 0, 1);
+  request.mutable_material()->set_name("glod");
+  const Error error = server.refused(request);
+  EXPECT_EQ(error.code, ErrorCode::not_found);
+  EXPECT_EQ(error.field, "material.name");
+  EXPECT_THAT(error.allowed, HasSubstr("gold"));
+}
+
+TEST(Materials, MeasuredFilesByNameAndThroughJson) {
+  const TempFolder folder;
+  ASSERT_TRUE(write_merl(folder / "glossy.binary", glossy_example));
+  write(
+      folder / "cells.json",
+      R"({"model": "measured", "parameters": {"file": "glossy.binary", "interpolation": "nearest"}})");
+  write(folder / "smooth.json",
+        R"({"model": "measured", "parameters": {"file": "glossy.binary"}})");
+  TestServer server(serving(folder));
+  const PairArrays pairs = random_pairs(2000);
+  const auto table = MeasuredTable::read_merl(folder / "glossy.binary");
+  ASSERT_TRUE(table.ok());
+  const auto linear = Material::from_table(*table, Interpolation::linear);
+  const auto nearest = Material::from_table(*table, Interpolation::nearest);
+  const auto linear_values = core_values<float, float>(linear, pairs.wi, pairs.wo);
+  const auto nearest_values = core_values<float, float>(nearest, pairs.wi, pairs.wo);
+  EXPECT_NE(linear_values, nearest_values);
+  EXPECT_EQ(values_of(server, "glossy", pairs), linear_values);
+  EXPECT_EQ(values_of(server, "smooth", pairs), linear_values);
+  EXPECT_EQ(values_of(server, "cells", pairs), nearest_values);
+}
+
+TEST(Materials, LocalFilesOnlyWhereAllowed) {
+  const TempFolder folder;
+  ASSERT_TRUE(write_merl(folder / "glossy.binary", glossy_example));
+  v1::EvaluateRequest request = request_for(random_pairs(10), 0, 10);
+  request.mutable_material()->set_model("measured");
+  auto& fields = *request.mutable_material()->mutable_parameters()->mutable_fields();
+  fields["file"].set_string_value((folder / "glossy.binary").string());
+  fields["interpolation"].set_string_value("nearest");
+  TestServer remote;
+  EXPECT_EQ(remote.refused(request).field, "material.model");
+  ServerOptions options;
+  options.allow_local_files = true;
+  TestServer embedded(options);
+  EXPECT_EQ(embedded.evaluated(request).values_size(), 30);
+  fields["interpolation"].set_string_value("cubic");
+  EXPECT_EQ(embedded.refused(request).field, "material.parameters.interpolation");
+  fields.erase("interpolation");
+  fields["files"].set_string_value("x");
+  EXPECT_EQ(embedded.refused(request).field, "material.parameters.files");
+  fields.erase("files");
+  fields["file"].set_number_value(3);
+  EXPECT_EQ(embedded.refused(request).field, "material.parameters.file");
+  fields.clear();
+  EXPECT_EQ(embedded.refused(request).value, "not given");
+  fields["file"].set_string_value("/no/such.binary");
+  EXPECT_EQ(embedded.refused(request).code, ErrorCode::not_found);
+}
+
+TEST(Materials, BadFilesStopTheStartAndAreNamed) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"{", "JSON"},
+      {"", "empty"},
+      {R"({"modle": "ggx"})", "modle"},
+      {R"({"model": "gxg"})", "gxg"},
+      {R"({"model": "ggx", "parameters": {"alpha_x": 7}})", "parameters.alpha_x"},
+      {R"({"name": "other"})", "name"},
+      {R"({})", "material is empty"},
+      {R"({"model": "measured", "parameters": {"file": "missing.binary"}})", "missing.binary"},
+      {R"({"model": "measured", "parameters": {"file": "../outside.binary"}})",
+       "within the materials folder"},
+      {R"({"model": "measured", "parameters": {"file": "/etc/passwd"}})",
+       "within the materials folder"},
+      {R"({"model": "measured"})", "parameters.file"},
+  };
+  for (const auto& [json, what] : cases) {
+    const TempFolder folder;
+    write(folder / "bad.json", json);
+    EXPECT_THAT(refusal(folder), AllOf(HasSubstr("bad.json"), HasSubstr(what))) << json;
+  }
+}
+
+TEST(Materials, ASymlinkDoesNotLeadOut) {
+  const TempFolder outside, folder;
+  ASSERT_TRUE(write_merl(outside / "secret.binary", glossy_example));
+  std::filesystem::create_directory_symlink(outside / "", folder / "link");
+  write(folder / "bad.json",
+        R"({"model": "measured", "parameters": {"file": "link/secret.binary"}})");
+  EXPECT_THAT(refusal(folder), HasSubstr("within the materials folder"));
+}
+
+TEST(Materials, ATruncatedMerlFileIsNamed) {
+  const TempFolder folder;
+  ASSERT_TRUE(write_merl(folder / "short.binary", glossy_example));
+  std::filesystem::resize_file(folder / "short.binary", 1000);
+  EXPECT_THAT(refusal(folder), HasSubstr("short.binary"));
+}
+
+TEST(Materials, TwoFilesOfOneNameAreRefused) {
+  const TempFolder folder;
+  write(folder / "gold.json", R"({"model": "ggx"})");
+  write(folder / "gold.binary", "x");
+  EXPECT_THAT(refusal(folder), AllOf(HasSubstr("gold.json"), HasSubstr("another file")));
+}
+
+TEST(Materials, OddDirectoryEntriesAreNamed) {
+  const TempFolder folder;
+  std::filesystem::create_directory(folder / "folder.json");
+  EXPECT_THAT(refusal(folder), HasSubstr("folder.json"));
+  const TempFolder other;
+  write(other / "caf\xE9.json", R"({"model": "ggx"})");
+  EXPECT_THAT(refusal(other), HasSubstr("UTF-8"));
+}
+
+TEST(Materials, AMissingFolderIsNamed) {
+  ServerOptions options;
+  options.materials = "/no/such/folder";
+  const auto server = Server::start(options);
+  ASSERT_FALSE(server.ok());
+  EXPECT_THAT(server.error().message, HasSubstr("/no/such/folder"));
+}
+
+}  // namespace
+}  // namespace gonio::testing

@@ -1,0 +1,66 @@
+// A full queue refuses at once and says when to come back; what is small does not need it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "server/busy_pool.h"
+#include "server/stream_client.h"
+
+namespace gonio::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(Queue, AFullOneRefusesWithAPushback) {
+  BusyService service(1);
+  grpc::ClientContext context;
+  v1::EvaluateResponse response;
+  const grpc::Status status =
+      service.stub->Evaluate(&context, ggx_request(random_pairs(5000)), &response);
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_THAT(status.error_message(), HasSubstr("at most 1 batches"));
+  const auto& trailers = context.GetServerTrailingMetadata();
+  const auto pushback = trailers.find(wire::kRetryPushback);
+  ASSERT_NE(pushback, trailers.end());
+  EXPECT_GT(std::stoi(std::string(pushback->second.data(), pushback->second.size())), 0);
+}
+
+TEST(Queue, SmallBatchesAreComputedAllTheSame) {
+  BusyService service(1);
+  grpc::ClientContext context;
+  v1::EvaluateResponse response;
+  EXPECT_TRUE(service.stub->Evaluate(&context, ggx_request(random_pairs(1000)), &response).ok());
+  EXPECT_EQ(response.values_size(), 3000);
+}
+
+TEST(Queue, AStreamsChunkIsRefusedAloneAndMayBeSentAgain) {
+  BusyService service(1);
+  const auto refused = stream(*service.stub, chunked(random_pairs(5000), 5000));
+  EXPECT_TRUE(refused.status.ok());
+  EXPECT_EQ(refused.answers.at(0).error().code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  service.free();
+  while (service.pool().jobs() > 0) std::this_thread::yield();
+  const auto again = stream(*service.stub, chunked(random_pairs(5000), 5000));
+  EXPECT_TRUE(again.answers.at(0).has_evaluate());
+}
+
+TEST(Queue, QueuedJobsAreDoneWhenTheirTurnComes) {
+  BusyService service(3);
+  const PairArrays pairs = random_pairs(5000);
+  std::vector<std::thread> clients;
+  std::atomic<int> answered{0};
+  for (int i = 0; i < 2; ++i) {
+    clients.emplace_back([&] {
+      grpc::ClientContext context;
+      v1::EvaluateResponse response;
+      if (service.stub->Evaluate(&context, ggx_request(pairs), &response).ok()) ++answered;
+    });
+  }
+  while (service.pool().jobs() < 3) std::this_thread::yield();
+  EXPECT_EQ(answered, 0);
+  service.free();
+  for (std::thread& client : clients) client.join();
+  EXPECT_EQ(answered, 2);
+}
+
+}  // namespace
+}  // namespace gonio::testing
