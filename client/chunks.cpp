@@ -46,14 +46,24 @@ grpc::Slice allocate_slice(std::size_t bytes) {
 }
 
 template <class In>
+grpc::Slice ArraySource<In>::slice_of(const In* data, std::size_t bytes) {
+  constexpr std::size_t kWorthLending = 16384;  // below, a copy costs less than the bookkeeping
+  if (loan_ != nullptr && bytes >= kWorthLending) return loan_->lend(data, bytes);
+  grpc::Slice slice = allocate_slice(bytes);
+  std::memcpy(writable<In>(slice), data, bytes);
+  return slice;
+}
+
+template <class In>
 Result<std::optional<OutgoingChunk>> ArraySource<In>::next(std::size_t limit) {
   const std::size_t left = wi_.size() / kDirection - first_;
   const std::size_t pairs = std::min(left, limit);
   if (pairs == 0) return std::optional<OutgoingChunk>{};
-  OutgoingChunk chunk = empty_chunk<In>(first_, pairs);
   const std::size_t bytes = pairs * kDirection * sizeof(In);
-  std::memcpy(writable<In>(chunk.directions->wi), &wi_[first_ * kDirection], bytes);
-  std::memcpy(writable<In>(chunk.directions->wo), &wo_[first_ * kDirection], bytes);
+  const wire::PairSlices directions{slice_of(&wi_[first_ * kDirection], bytes),
+                                    slice_of(&wo_[first_ * kDirection], bytes),
+                                    std::is_same_v<In, double>};
+  OutgoingChunk chunk{first_, pairs, directions, std::nullopt};
   first_ += pairs;
   return std::optional(std::move(chunk));
 }

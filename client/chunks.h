@@ -12,6 +12,7 @@
 
 #include "base/result.h"
 #include "client/client.h"
+#include "client/loan.h"
 #include "wire/codec.h"
 
 namespace gonio::client {
@@ -50,18 +51,19 @@ T* writable(const grpc::Slice& slice) {
   return reinterpret_cast<T*>(const_cast<std::uint8_t*>(slice.begin()));
 }
 
-// From the caller's arrays. The directions are copied into the chunk, although gRPC could send them
-// from where they lie: that costs 1 to 3 % of a stream's speed (measured over loopback), and a
-// server that hangs could otherwise hold the caller's arrays hostage beyond the deadline, because
-// the socket's queue would still point into them.
+// From the caller's arrays: lent where there is a `loan`, else copied.
 template <class In>
 class ArraySource final : public ChunkSource {
  public:
-  ArraySource(std::span<const In> wi, std::span<const In> wo) : wi_(wi), wo_(wo) {}
+  ArraySource(std::span<const In> wi, std::span<const In> wo, Loan* loan)
+      : wi_(wi), wo_(wo), loan_(loan) {}
   Result<std::optional<OutgoingChunk>> next(std::size_t limit) override;
 
  private:
+  grpc::Slice slice_of(const In* data, std::size_t bytes);
+
   std::span<const In> wi_, wo_;
+  Loan* loan_;
   std::uint64_t first_ = 0;
 };
 

@@ -57,7 +57,8 @@ Result<Report> evaluate_pairs(Evaluation evaluation, std::span<const In> wi, std
     return bad_value("the length of wo", std::to_string(wo.size()),
                      "that of wi, " + std::to_string(wi.size()));
   }
-  ArraySource<In> source(wi, wo);
+  Loan loan;  // outlives all that is made of it
+  ArraySource<In> source(wi, wo, evaluation.has_deadline() ? nullptr : &loan);
   return evaluate_into(evaluation, source, wi.size() / 3, values, flags);
 }
 

@@ -36,7 +36,7 @@ Result<Report> Evaluation::probe() {
     [[nodiscard]] bool ordered() const override { return false; }
     Outcome accept(const OutgoingChunk&, const wire::Response&, Report&) override { return Ok{}; }
   } receiver;
-  ArraySource<float> source(kNormal, kNormal);
+  ArraySource<float> source(kNormal, kNormal, nullptr);
   Exchange exchange(peer_, options_, head_, patience_, source, receiver);
   if (auto outcome = exchange.run_call(1); !outcome) return outcome.error();
   return exchange.report();

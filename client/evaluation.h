@@ -33,6 +33,8 @@ class Evaluation {
   Result<Report> run(ChunkSource& source, ChunkReceiver& receiver, std::size_t channels,
                      std::optional<std::uint64_t> total);
 
+  [[nodiscard]] bool has_deadline() const { return patience_.deadline().has_value(); }
+
  private:
   [[nodiscard]] std::size_t chunk_limit(std::size_t channels) const;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <random>
 #include <thread>
 
 #include "wire/status.h"
@@ -62,9 +63,7 @@ Failure failure_of(const gonio::v1::ErrorDetail& detail) {
 }
 
 Patience::Patience(const ClientOptions& options, std::optional<std::chrono::milliseconds> deadline)
-    : max_retries_(options.max_retries),
-      backoff_(options.backoff),
-      random_(std::random_device{}()) {
+    : max_retries_(options.max_retries), backoff_(options.backoff) {
   const std::chrono::milliseconds limit = deadline.value_or(options.deadline);
   // A deadline in the far future must not overflow the clock.
   if (limit.count() > 0) deadline_ = Clock::now() + std::min(limit, kLongestDeadline);
@@ -75,8 +74,9 @@ std::chrono::milliseconds Patience::next_pause(const Failure& failure) {
   const double doubled =
       static_cast<double>(backoff_.count()) * static_cast<double>(1U << std::min(in_vain_, 16));
   const double longest = static_cast<double>(kLongestPause.count());
+  std::minstd_rand random(std::random_device{}());  // made here: most calls never need it
   std::uniform_real_distribution<double> jitter(0.8, 1.2);
-  return std::chrono::milliseconds(static_cast<long>(std::min(doubled, longest) * jitter(random_)));
+  return std::chrono::milliseconds(static_cast<long>(std::min(doubled, longest) * jitter(random)));
 }
 
 bool Patience::pause_to_retry(const Failure& failure) {

@@ -8,7 +8,6 @@
 
 #include <chrono>
 #include <optional>
-#include <random>
 #include <string>
 
 #include "base/result.h"
@@ -54,7 +53,6 @@ class Patience {
   std::optional<Clock::time_point> deadline_;
   int in_vain_ = 0;
   int retries_ = 0;
-  std::minstd_rand random_;
 };
 
 }  // namespace gonio::client

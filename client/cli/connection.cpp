@@ -21,12 +21,12 @@ void add_connection_options(CLI::App& command, ConnectionOptions& options) {
       ->envname("GONIO_SERVER");
   command.add_option("--deadline", options.deadline, "Give up after this long; 0 for never")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, kLongestDeadline));
+      ->check(CLI::Range(0.0, kLongestDeadline).description(""));
   command
       .add_option("--threads", options.threads,
                   "Compute threads when working in this process; 0 for one per processor")
       ->type_name("N")
-      ->check(CLI::Range(0, kMostThreads));
+      ->check(CLI::Range(0, kMostThreads).description(""));
 }
 
 Result<Connection> Connection::open(const ConnectionOptions& options) {

@@ -37,8 +37,6 @@ Examples:
   gonio evaluate --material gold.binary --pairs pairs.npy -o values.npy -v
   generate | gonio evaluate --server unix:/run/gonio.sock --material brushed --pairs - | sort -g)";
 
-constexpr const char* kPrecisions = "fast or reference";
-
 }  // namespace
 
 void add_evaluate_options(CLI::App& command, EvaluateArguments& arguments) {
@@ -46,28 +44,28 @@ void add_evaluate_options(CLI::App& command, EvaluateArguments& arguments) {
   command.add_option("--material,-m", arguments.material, "What to evaluate (see below)")
       ->type_name("M")
       ->required();
-  auto* directions = command.add_option_group("Directions", "one of");
-  directions->add_option("--pairs", arguments.pairs, "Pairs of directions from a file; - is stdin")
-      ->type_name("FILE");
-  directions->add_option("--grid", arguments.grid, "All pairs of a grid of angles (see below)")
-      ->type_name("SPEC");
-  directions->require_option(1);
+  auto* pairs = command.add_option("--pairs", arguments.pairs,
+                                   "Pairs of directions from a file (see below); - is stdin");
+  pairs->type_name("FILE");
+  command.add_option("--grid", arguments.grid, "In place of --pairs: a grid of angles (see below)")
+      ->type_name("SPEC")
+      ->excludes(pairs);
   command
       .add_option("--precision", arguments.precision,
                   "fast (float32, the default) or reference (float64)")
       ->type_name("P")
-      ->check(CLI::IsMember({"fast", "reference"}, CLI::ignore_case).description(kPrecisions));
+      ->check(CLI::IsMember({"fast", "reference"}).description(""));
   command
       .add_option("--isa", arguments.isa,
                   "Instruction set: auto (the default), baseline, avx2, avx512")
       ->type_name("SET")
-      ->check(CLI::IsMember({"auto", "baseline", "avx2", "avx512"}).description("SET"));
+      ->check(CLI::IsMember({"auto", "baseline", "avx2", "avx512"}).description(""));
   command.add_flag("--deg", arguments.degrees, "Angles are in degrees");
   command
       .add_option("--format", arguments.format,
                   "csv, json or npy; else by OUT's extension, else csv")
       ->type_name("F")
-      ->check(CLI::IsMember({"csv", "json", "npy"}).description("F"));
+      ->check(CLI::IsMember({"csv", "json", "npy"}).description(""));
   command
       .add_option("-o,--output", arguments.output, "Where the results go; - is stdout, the default")
       ->type_name("OUT");
@@ -81,6 +79,9 @@ void add_evaluate_options(CLI::App& command, EvaluateArguments& arguments) {
 }
 
 Result<Format> chosen_format(const EvaluateArguments& arguments) {
+  if (arguments.pairs.empty() && arguments.grid.empty()) {
+    return bad_value("the input", "missing", "--pairs FILE or --grid SPEC");
+  }
   auto format = format_named(arguments.format);
   if (!format) format = format_of_file(arguments.output);
   const Format chosen = format.value_or(Format::csv);

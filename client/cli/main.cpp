@@ -13,7 +13,8 @@ namespace {
 constexpr const char* kDescription =
     R"(gonio evaluates materials (BRDFs): how much light each one reflects from one direction into another.
 
-It does the work itself, or asks a goniod server (--server ADDRESS or $GONIO_SERVER) to do it.)";
+It does the work itself, or asks a goniod server (--server ADDRESS or $GONIO_SERVER) to do it.
+)";
 
 constexpr const char* kFooter = R"(
 Examples:

@@ -1,6 +1,7 @@
 #include "client/cli/model_page.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -88,12 +89,16 @@ std::string value_text(const client::ParameterInfo& parameter) {
   return text;
 }
 
+// Every parameter at its default, but for Fresnel's, which exclude each other: with f0 alone it is
+// Schlick's.
 std::string example_json(const client::ModelInfo& model) {
+  constexpr std::array<std::string_view, 3> kLeftOut = {"fresnel", "eta", "k"};
   std::vector<std::string> parts;
   for (const client::ParameterInfo& parameter : model.parameters) {
-    const bool word = !parameter.words.empty();
-    parts.push_back("\"" + parameter.name + "\": " +
-                    (word ? "\"" + parameter.words.front() + "\"" : shortest(parameter.start)));
+    if (std::count(kLeftOut.begin(), kLeftOut.end(), parameter.name) != 0) continue;
+    const std::string value =
+        parameter.words.empty() ? shortest(parameter.start) : "\"" + parameter.words.front() + "\"";
+    parts.push_back("\"" + parameter.name + "\": " + value);
   }
   return "{\"model\": \"" + model.name + "\", \"parameters\": {" + joined(parts, ", ") + "}}";
 }

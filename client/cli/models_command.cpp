@@ -55,7 +55,7 @@ Command add_models_command(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       app.add_subcommand("models", "List the models and stored materials, or describe one model");
-  command->add_option("NAME", arguments->name, "The model to describe");
+  command->add_option("NAME", arguments->name, "The model to describe")->type_name("");
   command->add_flag("--json", arguments->json,
                     "Print JSON (gonio.v1.ListModelsResponse) instead of text");
   add_connection_options(*command, arguments->connection);

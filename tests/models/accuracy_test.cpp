@@ -2,9 +2,11 @@
 // instruction set and in every precision.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <map>
+#include <random>
 #include <sstream>
 
 #include "engine/registry.h"
@@ -140,7 +142,10 @@ TEST_P(Accuracy, HoldsAgainstTheOracle) {
     std::vector<Quad> truth = oracle_values(oracle, floats);
     check<float>(c, floats, truth, {});
     check<double>(c, floats, truth, rounding_of_eta(c.spec, floats, truth));
-    const auto doubles = hard_pairs<double>(++seed);
+    // The same lines with another way to load: fewer will do.
+    auto doubles = hard_pairs<double>(++seed);
+    std::shuffle(doubles.begin(), doubles.end(), std::mt19937_64(seed));
+    doubles.resize(4000);
     truth = oracle_values(oracle, doubles);
     check<double>(c, doubles, truth, rounding_of_eta(c.spec, doubles, truth));
   }

@@ -26,17 +26,20 @@ Vec<Real> sum(const Vec<Real>& a, const Vec<Real>& b) {
 }
 
 template <class Real>
+Vec<Real> divided(const Vec<Real>& a, Real by) {
+  return {a.x / by, a.y / by, a.z / by};
+}
+
+template <class Real>
 Vec<Real> normalized(const Vec<Real>& a) {
-  const Real length = root(dot(a, a));
-  return {a.x / length, a.y / length, a.z / length};
+  return divided(a, root(dot(a, a)));
 }
 
 // wi/|wi| + wo/|wo| of directions of any length, right to a relative rounding even where the two
 // nearly cancel: a/|a| + b/|b| = (a + b)/|a| + b (|a| - |b|)/(|a||b|), and |a|^2 - |b|^2 =
-// (a - b).(a + b), in which a + b is exact.
+// (a - b).(a + b), in which a + b is exact. la and lb are the lengths.
 template <class Real>
-Vec<Real> sum_of_normalized(const Vec<Real>& a, const Vec<Real>& b) {
-  const Real la = root(dot(a, a)), lb = root(dot(b, b));
+Vec<Real> sum_of_normalized(const Vec<Real>& a, Real la, const Vec<Real>& b, Real lb) {
   const Vec<Real> s = sum(a, b);
   const Real t = dot({a.x - b.x, a.y - b.y, a.z - b.z}, s) / ((la + lb) * la * lb);
   return {s.x / la + b.x * t, s.y / la + b.y * t, s.z / la + b.z * t};

@@ -129,10 +129,10 @@ template <class Real>
 void Oracle<Real>::evaluate(Vec<Real> wi, Vec<Real> wo, std::span<Real> f) const {
   std::ranges::fill(f, Real(0));
   if (!(wi.z > 0 && wo.z > 0)) return;
-  Pair pair{normalized(wi), normalized(wo), {}, 0};
-  const Vec<Real> twice = sum_of_normalized(wi, wo);
-  pair.h = normalized(twice);
-  pair.hk = root(dot(twice, twice)) / 2;
+  const Real li = root(dot(wi, wi)), lo = root(dot(wo, wo));
+  const Vec<Real> twice = sum_of_normalized(wi, li, wo, lo);
+  const Real length = root(dot(twice, twice));
+  const Pair pair{divided(wi, li), divided(wo, lo), divided(twice, length), length / 2};
   for (const Lobe& lobe : *lobes_) add(lobe, pair, f);
 }
 

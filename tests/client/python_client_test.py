@@ -1,0 +1,144 @@
+"""A client that shares no code with gonio: Debian's grpcio, messages from protoc, generic calls.
+
+Usage: python_client_test.py GONIOD   (PYTHONPATH holds the generated gonio/v1/*_pb2.py)
+"""
+
+import math
+import os
+import random
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import grpc
+
+from gonio.v1 import error_pb2, evaluate_pb2, models_pb2
+
+GONIOD = sys.argv.pop(1)
+SERVICE = "/gonio.v1.GonioService/"
+
+
+def directions(count, seed):
+    """Unit vectors over the whole sphere, interleaved xyz, as float32."""
+    numbers = []
+    generator = random.Random(seed)
+    for _ in range(count):
+        v = [generator.gauss(0, 1) for _ in range(3)]
+        length = math.sqrt(sum(x * x for x in v))
+        numbers += [struct.unpack("f", struct.pack("f", x / length))[0] for x in v]
+    return numbers
+
+
+def lambertian(colour):
+    request = evaluate_pb2.EvaluateRequest()
+    request.material.model = "lambertian"
+    request.material.parameters["rd"] = colour
+    return request
+
+
+class PythonClient(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        address = "unix:" + os.path.join(cls.folder.name, "socket")
+        cls.server = subprocess.Popen([GONIOD, "--listen", address, "--lame-duck", "0"])
+        cls.channel = grpc.insecure_channel(address)
+        grpc.channel_ready_future(cls.channel).result(timeout=60)
+        evaluate = evaluate_pb2
+        cls.evaluate = staticmethod(cls.channel.unary_unary(
+            SERVICE + "Evaluate", evaluate.EvaluateRequest.SerializeToString,
+            evaluate.EvaluateResponse.FromString))
+        cls.evaluate_stream = staticmethod(cls.channel.stream_stream(
+            SERVICE + "EvaluateStream", evaluate.EvaluateStreamRequest.SerializeToString,
+            evaluate.EvaluateStreamResponse.FromString))
+        cls.list_models = staticmethod(cls.channel.unary_unary(
+            SERVICE + "ListModels", models_pb2.ListModelsRequest.SerializeToString,
+            models_pb2.ListModelsResponse.FromString))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.channel.close()
+        cls.server.terminate()
+        status = cls.server.wait(timeout=60)
+        cls.folder.cleanup()
+        assert status == 0, f"goniod ended with {status}"
+
+    def check(self, response, colour, wi, wo):
+        """Every value and flag against the formula."""
+        pairs = len(wi) // 3
+        self.assertEqual(response.channels, len(colour))
+        self.assertEqual(len(response.values), pairs * len(colour))
+        self.assertIn(len(response.flags), (0, pairs))
+        for i in range(pairs):
+            below = 8 * (wi[3 * i + 2] <= 0) | 16 * (wo[3 * i + 2] <= 0)
+            self.assertEqual(response.flags[i] if response.flags else 0, below)
+            for c, rd in enumerate(colour):
+                expected = 0 if below else rd / math.pi
+                value = response.values[i * len(colour) + c]
+                self.assertAlmostEqual(value, expected, delta=1e-6 * expected)
+
+    def test_lists_models(self):
+        response = self.list_models(models_pb2.ListModelsRequest(), timeout=60)
+        self.assertIn("ggx", [model.name for model in response.models])
+        self.assertIn(evaluate_pb2.INSTRUCTION_SET_BASELINE, response.instruction_sets)
+
+    def test_evaluates_a_batch(self):
+        colour = [0.5, 0.25, 1.0]
+        request = lambertian(colour)
+        request.pairs.wi.extend(directions(1000, 1))
+        request.pairs.wo.extend(directions(1000, 2))
+        response = self.evaluate(request, timeout=60)
+        self.check(response, colour, request.pairs.wi, request.pairs.wo)
+        self.assertTrue(any(response.flags) and not all(response.flags))
+        self.assertEqual(response.report.precision, evaluate_pb2.PRECISION_FAST)
+        self.assertGreater(response.report.error_bound.relative, 0)
+
+    def test_reference_precision(self):
+        request = lambertian([0.5])
+        request.precision = evaluate_pb2.PRECISION_REFERENCE
+        request.pairs_f64.wi.extend([0, 0, 1])
+        request.pairs_f64.wo.extend([0.6, 0, 0.8])
+        response = self.evaluate(request, timeout=60)
+        self.assertEqual(len(response.values), 0)
+        self.assertAlmostEqual(response.values_f64[0], 0.5 / math.pi, delta=1e-15)
+
+    def test_bad_request_says_what_is_wrong(self):
+        request = lambertian([7])
+        request.pairs.wi.extend([0, 0, 1])
+        request.pairs.wo.extend([0, 0, 1])
+        with self.assertRaises(grpc.RpcError) as raised:
+            self.evaluate(request, timeout=60)
+        self.assertEqual(raised.exception.code(), grpc.StatusCode.INVALID_ARGUMENT)
+        metadata = dict(raised.exception.trailing_metadata())
+        detail = error_pb2.ErrorDetail.FromString(metadata["grpc-status-details-bin"])
+        self.assertEqual(detail.code, grpc.StatusCode.INVALID_ARGUMENT.value[0])
+        self.assertTrue(detail.field.startswith("material.parameters.rd"), detail.field)
+        self.assertEqual(detail.value, "7")
+        self.assertIn("1", detail.allowed)
+        self.assertEqual(detail.message, raised.exception.details())
+
+    def test_streams_chunks(self):
+        colour = [0.5, 0.25]
+        chunks = {}
+        for sequence in range(20):
+            chunk = evaluate_pb2.EvaluateStreamRequest(sequence=sequence, slot=3)
+            if sequence == 0:
+                chunk.evaluate.material.CopyFrom(lambertian(colour).material)
+            chunk.evaluate.pairs.wi.extend(directions(300, sequence))
+            chunk.evaluate.pairs.wo.extend(directions(300, sequence + 1000))
+            chunks[sequence] = chunk
+        chunks[7].evaluate.pairs.wo.pop()  # one bad chunk leaves the others alone
+        answers = {a.sequence: a for a in self.evaluate_stream(iter(chunks.values()), timeout=60)}
+        self.assertEqual(sorted(answers), sorted(chunks))
+        for sequence, answer in answers.items():
+            if sequence == 7:
+                self.assertEqual(answer.error.code, grpc.StatusCode.INVALID_ARGUMENT.value[0])
+                continue
+            pairs = chunks[sequence].evaluate.pairs
+            self.check(answer.evaluate, colour, pairs.wi, pairs.wo)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

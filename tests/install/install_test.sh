@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Installs a build, moves the installation elsewhere, and lets two other projects use it: one that wants the core alone
+# (on a machine that has no gRPC, as far as CMake can see), one that evaluates in its own process and by a server.
+#
+#   install_test.sh BUILD_DIR WORK_DIR     WORK_DIR is emptied first
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+build=$1 work=$2
+rm -rf "$work"
+mkdir -p "$work"
+socket_folder=$(mktemp -d) # a socket's path has little room
+server=
+cleanup() {
+  if [ -n "$server" ]; then kill "$server" 2>/dev/null && wait "$server"; fi
+  rm -rf "$socket_folder"
+}
+trap cleanup EXIT
+
+cmake --install "$build" --prefix "$work/first" >"$work/install.log"
+mv "$work/first" "$work/prefix" # nothing in it may depend on where it was installed
+
+consume() { # NAME CMAKE-ARGUMENT...
+  local name=$1
+  shift
+  cmake -S "$here/$name" -B "$work/$name" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$work/prefix" "$@"
+  cmake --build "$work/$name"
+}
+consume core_consumer -DCMAKE_DISABLE_FIND_PACKAGE_gRPC=ON -DCMAKE_DISABLE_FIND_PACKAGE_Protobuf=ON
+"$work/core_consumer/core_consumer"
+
+consume client_consumer
+"$work/prefix/bin/goniod" --listen "unix:$socket_folder/socket" 2>"$work/goniod.log" &
+server=$!
+"$work/client_consumer/client_consumer" "unix:$socket_folder/socket"
+
+"$work/prefix/bin/gonio" --version
+test -s "$work/prefix/share/gonio/proto/gonio/v1/service.proto"
+if grep -rn -e sanitize -e Werror -e "$build" "$work/prefix/lib" --include '*.cmake'; then
+  echo "the lines above leak this build's options or place into the package" >&2
+  exit 1
+fi
