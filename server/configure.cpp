@@ -2,6 +2,7 @@
 
 #include <grpcpp/resource_quota.h>
 #include <grpcpp/server_builder.h>
+#include <malloc.h>
 
 namespace gonio {
 
@@ -16,6 +17,13 @@ void configure(grpc::ServerBuilder& builder, const ServerOptions& options) {
   builder.SetSyncServerOption(Option::NUM_CQS, 1);
   builder.SetSyncServerOption(Option::MIN_POLLERS, 1);
   builder.SetSyncServerOption(Option::MAX_POLLERS, 1);
+}
+
+void keep_freed_memory() {
+  // Above what gRPC allocates at a time, so that its buffers come from the heap; glibc's own choice
+  // moves with what is freed.
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
 }
 
 }  // namespace gonio
