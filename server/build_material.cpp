@@ -12,8 +12,6 @@ namespace {
 using google::protobuf::Struct;
 using google::protobuf::Value;
 
-constexpr std::string_view kMeasured = "measured";
-
 std::string description_of(const Value& value) {
   switch (value.kind_case()) {
     case Value::kBoolValue:
@@ -162,7 +160,7 @@ Result<Material> build_material(const v1::Material& material, std::string_view p
       prefix.empty() ? "material" : prefix_text.substr(0, prefix_text.size() - 1);
   const auto form = check_form(material, field);
   if (!form) return form.error();
-  if (material.model() == kMeasured)
+  if (material.model() == kMeasuredModel)
     return build_measured(material.parameters(), prefix_text, find_file);
   const auto spec = to_spec(material, prefix_text);
   if (!spec) return spec.error();

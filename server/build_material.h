@@ -12,6 +12,9 @@
 
 namespace gonio {
 
+// The model whose parameters name a file.
+inline constexpr std::string_view kMeasuredModel = "measured";
+
 // Where a measured material's "file" lies; an error for one that may not be read. Empty: files are
 // not offered at all.
 using FindFile = std::function<Result<std::filesystem::path>(const std::string& file)>;

@@ -27,8 +27,9 @@ Outcome compute(const Backend& backend, const std::shared_ptr<Evaluation>& evalu
                "", "", ""};
 }
 
-AccessLine::AccessLine(const char* method_name, const grpc::CallbackServerContext& context)
-    : method(method_name), peer(context.peer()) {}
+AccessLine::AccessLine(const char* method_name, const grpc::CallbackServerContext& context,
+                       const spdlog::logger& logger)
+    : method(method_name), peer(logger.should_log(spdlog::level::debug) ? context.peer() : "") {}
 
 void AccessLine::write(spdlog::logger& logger, const std::string& outcome) const {
   if (!logger.should_log(spdlog::level::debug)) return;

@@ -64,7 +64,8 @@ struct AccessLine {
   std::size_t batches = 0, failed = 0, pairs = 0;
   double kernel_seconds = 0;
 
-  AccessLine(const char* method_name, const grpc::CallbackServerContext& context);
+  AccessLine(const char* method_name, const grpc::CallbackServerContext& context,
+             const spdlog::logger& logger);
   void write(spdlog::logger& logger, const std::string& outcome) const;
 };
 

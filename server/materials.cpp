@@ -129,7 +129,19 @@ std::vector<std::string> Materials::names() const {
   return names;
 }
 
-Result<Material> Materials::resolve(const v1::Material& material) const {
+Result<Material> Materials::resolve(const std::optional<std::string>& bytes) const {
+  if (!bytes) return build({});
+  if (auto known = cache_->find(*bytes)) return *known;
+  v1::Material material;
+  if (!material.ParseFromString(*bytes)) {
+    return bad_value("material", "not a " + material.GetTypeName(), "the bytes of one");
+  }
+  auto built = build(material);
+  if (built && !(find_file_ && material.model() == kMeasuredModel)) cache_->keep(*bytes, *built);
+  return built;
+}
+
+Result<Material> Materials::build(const v1::Material& material) const {
   const bool only_a_name = !material.name().empty() && material.model().empty() &&
                            !material.has_parameters() && !material.has_diffuse() &&
                            material.specular_size() == 0;

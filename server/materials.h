@@ -1,11 +1,13 @@
 // The materials that a server holds by name, and the way from a request's material to one that can
 // be evaluated.
 //
-// Thread safety: immutable after load().
+// Thread safety: after load() and allow_local_files(), any thread.
 #pragma once
 
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include "engine/material.h"
 #include "gonio/v1/material.pb.h"
 #include "server/build_material.h"
+#include "server/material_cache.h"
 
 namespace gonio {
 
@@ -31,14 +34,19 @@ class Materials {
 
   [[nodiscard]] std::vector<std::string> names() const;  // sorted
 
-  // The material that a request asks for. Errors name the field as "material....".
-  [[nodiscard]] Result<Material> resolve(const v1::Material& material) const;
+  // The material that a request asks for, by the serialised gonio.v1.Material in it (none if it has
+  // none). Errors name the field as "material....".
+  [[nodiscard]] Result<Material> resolve(const std::optional<std::string>& bytes) const;
 
  private:
+  [[nodiscard]] Result<Material> build(const v1::Material& material) const;
   Outcome add(const std::filesystem::path& folder, const std::filesystem::path& file);
 
   std::map<std::string, Material, std::less<>> stored_;
   FindFile find_file_;
+  // Stored materials never change, so that their names can be kept as well; files of this machine
+  // may change.
+  std::unique_ptr<MaterialCache> cache_ = std::make_unique<MaterialCache>();
 };
 
 }  // namespace gonio

@@ -13,7 +13,7 @@ grpc::ServerUnaryReactor* Service::ListModels(grpc::CallbackServerContext* conte
                                               const v1::ListModelsRequest* request,
                                               v1::ListModelsResponse* response) {
   grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
-  const AccessLine access("ListModels", *context);
+  const AccessLine access("ListModels", *context, backend_.logger);
   auto listed = list_models(*request, backend_.materials);
   const grpc::Status status = listed ? grpc::Status::OK : wire::to_status(listed.error());
   if (listed) *response = std::move(*listed);

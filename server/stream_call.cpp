@@ -15,7 +15,9 @@ constexpr std::uint32_t kSlots = 256;
 }  // namespace
 
 StreamCall::StreamCall(const Backend& backend, grpc::CallbackServerContext& context)
-    : backend_(backend), state_(context.deadline()), access_("EvaluateStream", context) {
+    : backend_(backend),
+      state_(context.deadline()),
+      access_("EvaluateStream", context, backend.logger) {
   pump();
 }
 
@@ -68,8 +70,8 @@ Result<Material> StreamCall::material_of(const wire::StreamRequest& chunk) {
   if (chunk.slot >= kSlots) {
     return bad_value("slot", std::to_string(chunk.slot), "0 to " + std::to_string(kSlots - 1));
   }
-  if (chunk.request && chunk.request->head.has_material()) {
-    const auto material = backend_.materials.resolve(chunk.request->head.material());
+  if (chunk.request && chunk.request->material) {
+    const auto material = backend_.materials.resolve(chunk.request->material);
     return slots_.insert_or_assign(chunk.slot, material).first->second;
   }
   const auto known = slots_.find(chunk.slot);

@@ -15,7 +15,7 @@ UnaryCall::UnaryCall(const Backend& backend, grpc::CallbackServerContext& contex
       context_(context),
       response_(response),
       state_(context.deadline()),
-      access_("Evaluate", context) {}
+      access_("Evaluate", context, backend.logger) {}
 
 UnaryCall* UnaryCall::start(const Backend& backend, grpc::CallbackServerContext& context,
                             const grpc::ByteBuffer& request, grpc::ByteBuffer& response) {
@@ -27,7 +27,7 @@ UnaryCall* UnaryCall::start(const Backend& backend, grpc::CallbackServerContext&
 void UnaryCall::handle(const grpc::ByteBuffer& buffer) {
   const auto request = wire::decode_request(buffer);
   if (!request) return refuse(request.error());
-  auto material = backend_.materials.resolve(request->head.material());
+  auto material = backend_.materials.resolve(request->material);
   if (!material) return refuse(material.error());
   const auto prepared =
       Evaluation::prepare(*request, std::move(*material), backend_.max_message_bytes);

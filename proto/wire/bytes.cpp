@@ -6,10 +6,13 @@
 
 namespace gonio::wire {
 
-SliceBytes::SliceBytes(std::vector<grpc::Slice> slices) : slices_(std::move(slices)) {
-  ends_.reserve(slices_.size());
+SliceBytes::SliceBytes(std::vector<grpc::Slice> slices) {
+  if (slices.empty()) return;
+  Content content{std::move(slices), {}};
+  content.ends.reserve(content.slices.size());
   std::size_t end = 0;
-  for (const grpc::Slice& slice : slices_) ends_.push_back(end += slice.size());
+  for (const grpc::Slice& slice : content.slices) content.ends.push_back(end += slice.size());
+  content_ = std::make_shared<const Content>(std::move(content));
 }
 
 SliceBytes SliceBytes::of(const grpc::ByteBuffer& buffer) {
@@ -19,12 +22,13 @@ SliceBytes SliceBytes::of(const grpc::ByteBuffer& buffer) {
 }
 
 SliceBytes::Piece SliceBytes::piece(std::size_t offset) const {
+  if (!content_) return {};
+  const auto& [slices, ends] = *content_;
   // upper_bound, so that empty slices are stepped over.
-  const auto found = std::upper_bound(ends_.begin(), ends_.end(), offset);
-  if (found == ends_.end()) return {};
-  const grpc::Slice& slice = slices_[static_cast<std::size_t>(found - ends_.begin())];
+  const auto found = std::upper_bound(ends.begin(), ends.end(), offset);
+  if (found == ends.end()) return {};
   const std::size_t left = *found - offset;
-  return {slice.end() - left, left};
+  return {slices[static_cast<std::size_t>(found - ends.begin())].end() - left, left};
 }
 
 void SliceBytes::copy(std::size_t offset, std::size_t count, void* to) const {

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ class SliceBytes {
   // Empty for a buffer that cannot be read (such as one with a broken compression).
   static SliceBytes of(const grpc::ByteBuffer& buffer);
 
-  [[nodiscard]] std::size_t size() const { return ends_.empty() ? 0 : ends_.back(); }
+  [[nodiscard]] std::size_t size() const { return content_ ? content_->ends.back() : 0; }
 
   // Copies bytes offset ... offset + count - 1, which must exist.
   void copy(std::size_t offset, std::size_t count, void* to) const;
@@ -36,8 +37,11 @@ class SliceBytes {
   [[nodiscard]] Piece piece(std::size_t offset) const;
 
  private:
-  std::vector<grpc::Slice> slices_;
-  std::vector<std::size_t> ends_;  // the offset after each slice
+  struct Content {
+    std::vector<grpc::Slice> slices;
+    std::vector<std::size_t> ends;  // the offset after each slice
+  };
+  std::shared_ptr<const Content> content_;  // copies share the bytes; null if there are none
 };
 
 }  // namespace gonio::wire

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <variant>
 
 #include "base/result.h"
@@ -29,7 +30,9 @@ struct Array {
 
 struct Request {
   enum class Kind : std::uint8_t { none, pairs, pairs_f64, grid };
-  gonio::v1::EvaluateRequest head;  // everything but the pairs
+  gonio::v1::EvaluateRequest head;  // everything but the material and the pairs
+  // The serialised gonio.v1.Material, not parsed: whoever has seen the same bytes before need not.
+  std::optional<std::string> material;
   Kind kind = Kind::none;
   SliceBytes bytes;  // where wi and wo lie
   Array wi, wo;      // in floats (pairs) or doubles (pairs_f64), 3 per direction; lengths unchecked

@@ -44,8 +44,8 @@ bool scan_pairs(const SliceBytes& bytes, Range range, std::size_t element, Reque
   return fields.ok();
 }
 
-// The pairs are only noted; everything else is small and goes to the generated parser. Pairs given
-// twice are left to it too: it knows how a oneof merges.
+// The pairs are only noted, the material is left as it is; the rest is small and goes to the
+// generated parser. Pairs given twice are left to it too: it knows how a oneof merges.
 bool scan(const SliceBytes& bytes, Range range, Request& out) {
   std::string rest;
   FieldReader fields(bytes, range);
@@ -54,7 +54,10 @@ bool scan(const SliceBytes& bytes, Range range, Request& out) {
     const bool is_f64 = field.is(EvaluateRequest::kPairsF64FieldNumber, WireType::bytes);
     const bool is_grid = field.is(EvaluateRequest::kGridFieldNumber, WireType::bytes);
     if ((is_pairs || is_f64 || is_grid) && out.kind != Request::Kind::none) return false;
-    if (is_pairs || is_f64) {
+    if (field.is(EvaluateRequest::kMaterialFieldNumber, WireType::bytes)) {
+      // Given twice, the two merge: which is what their bytes in a row mean.
+      append(bytes, field.value, out.material ? *out.material : out.material.emplace());
+    } else if (is_pairs || is_f64) {
       out.kind = is_pairs ? Request::Kind::pairs : Request::Kind::pairs_f64;
       if (!scan_pairs(bytes, field.value, is_pairs ? sizeof(float) : sizeof(double), out))
         return false;

@@ -114,7 +114,7 @@ TEST(Limits, GarbageIsRefusedAndTheServerLives) {
     const auto [status, response] =
         raw_call(channel, "/gonio.v1.GonioService/Evaluate", grpc::ByteBuffer(&slice, 1));
     EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
-    EXPECT_THAT(status.error_message(), HasSubstr("EvaluateRequest"));
+    EXPECT_THAT(status.error_message(), HasSubstr("not a"));
   }
   EXPECT_EQ(server.evaluated(ggx_request(random_pairs(5))).values_size(), 15);
 }

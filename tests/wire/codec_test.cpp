@@ -62,6 +62,8 @@ TEST(Encode, GridTravelsInTheHead) {
   EXPECT_EQ(decoded->sequence, 9U);
   EXPECT_EQ(decoded->slot, 3U);
   EXPECT_EQ(decoded->request->kind, Request::Kind::grid);
+  EXPECT_EQ(decoded->request->material, head.material().SerializeAsString());
+  head.clear_material();
   EXPECT_TRUE(MessageDifferencer::Equals(decoded->request->head, head));
 }
 

@@ -22,6 +22,8 @@ void expect_same_as_generated(const std::string& bytes, std::size_t slice) {
   ASSERT_EQ(decoded.ok(), legal);
   if (!legal) return;
   v1::EvaluateRequest rebuilt = decoded->head;
+  if (decoded->material)
+    ASSERT_TRUE(rebuilt.mutable_material()->ParseFromString(*decoded->material));
   if (decoded->kind == Request::Kind::pairs) {
     const auto wi = elements<float>(decoded->bytes, decoded->wi),
                wo = elements<float>(decoded->bytes, decoded->wo);
@@ -110,6 +112,16 @@ TEST(DecodeAny, TheLastOfAOneofWins) {
   put_bytes(request, 4, pairs);
   expect_same_as_generated(request, 2);
   EXPECT_EQ(decode_request(buffer_of(request))->kind, Request::Kind::pairs);
+}
+
+TEST(DecodeAny, AMaterialGivenTwiceIsMerged) {
+  v1::Material first, second;
+  first.set_model("ggx");
+  second.set_name("gold");
+  std::string request;
+  put_bytes(request, 1, first.SerializeAsString());
+  put_bytes(request, 1, second.SerializeAsString());
+  expect_same_as_generated(request, 3);
 }
 
 TEST(DecodeAny, FieldsInAnotherOrderAndUnknownOnes) {
