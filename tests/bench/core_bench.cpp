@@ -185,7 +185,7 @@ void print_table(const Best& best) {
     std::printf("  %-18s", model.name.c_str());
     for (const std::size_t n : kSizes) {
       const std::string size = std::to_string(n);
-      std::printf("  %s: %.2f", size.c_str(), best.rate(model.name + "/2 threads/" + size + "/real_time") / best.rate(at + size));
+      std::printf("  %s: %.2f", size.c_str(), best.rate(model.name + "/2 threads/" + size) / best.rate(at + size));
     }
     std::printf("\n");
   }
