@@ -87,7 +87,7 @@ Precision precision_of(gonio::v1::Precision precision) {
 }
 
 ErrorBound error_bound_of(const gonio::v1::ErrorBound& bound) {
-  return {bound.relative(), bound.above(), bound.note()};
+  return {bound.relative(), bound.above(), bound.cosine(), bound.note()};
 }
 
 Catalogue catalogue_of(const gonio::v1::ListModelsResponse& response) {

@@ -46,11 +46,12 @@ inline constexpr std::size_t kFlagBits = 6;
 // What bit number `bit` (0 to kFlagBits - 1) means, in words: "not unit", ..., "outside the data".
 std::string_view flag_meaning(std::size_t bit);
 
-// |f - truth| <= relative * truth wherever truth > above. `note` says where that does not hold;
-// empty if it simply holds.
+// |f - truth| <= relative * truth wherever truth > above and both cosines > cosine. `note` says
+// where that does not hold, or is tighter; empty if it simply holds.
 struct ErrorBound {
   double relative = 0;
   double above = 0;
+  double cosine = 0;
   std::string note;
 };
 

@@ -14,6 +14,7 @@
 
 #include "engine/thread_pool.h"
 #include "server/address.h"
+#include "server/configure.h"
 #include "server/materials.h"
 #include "server/service.h"
 
@@ -80,7 +81,6 @@ struct Server::State {
         service({materials, pool, given.max_message_bytes, given.max_queued_jobs, *logger}) {}
 
   Outcome listen(const std::vector<Address>& addresses);
-  void configure(grpc::ServerBuilder& builder);
   void stop(std::chrono::milliseconds grace);
 
   ServerOptions options;
@@ -98,25 +98,10 @@ struct Server::State {
   bool stopped = false;
 };
 
-void Server::State::configure(grpc::ServerBuilder& builder) {
-  const int max_bytes = static_cast<int>(options.max_message_bytes);
-  builder.SetMaxReceiveMessageSize(max_bytes).SetMaxSendMessageSize(max_bytes);
-  builder.SetResourceQuota(grpc::ResourceQuota("gonio").Resize(options.memory_quota_bytes));
-  // Two servers on one port would share its calls at random.
-  builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
-  // Clients look twice a minute whether this machine is still there; gRPC takes that for an attack
-  // unless it is told otherwise.
-  builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 10'000);
-  // Only reflection uses the synchronous API: one thread is enough for it.
-  builder.SetSyncServerOption(grpc::ServerBuilder::SyncServerOption::NUM_CQS, 1);
-  builder.SetSyncServerOption(grpc::ServerBuilder::SyncServerOption::MIN_POLLERS, 1);
-  builder.SetSyncServerOption(grpc::ServerBuilder::SyncServerOption::MAX_POLLERS, 1);
-  builder.RegisterService(&service);
-}
-
 Outcome Server::State::listen(const std::vector<Address>& addresses) {
   grpc::ServerBuilder builder;
-  configure(builder);
+  configure(builder, options);
+  builder.RegisterService(&service);
   std::vector<int> ports(addresses.size(), 0);
   for (std::size_t i = 0; i < addresses.size(); ++i) {
     builder.AddListeningPort(addresses[i].text, grpc::InsecureServerCredentials(), &ports[i]);

@@ -23,8 +23,8 @@ constexpr ModelDescription kMeasured{
     .source = "Matusik, Pfister, Brand & McMillan 2003, A Data-Driven Reflectance Model; Rusinkiewicz 1998",
     .role = Role::measured,
     .parameters = kMeasuredParameters,
-    .fast = {1e-5, 1e-30, "of the largest of the table's cells that are interpolated; nearest: away from cell boundaries"},
-    .reference = {1e-10, 1e-30, "of the largest of the table's cells that are interpolated; nearest: away from cell boundaries"}};
+    .fast = {.relative = 1e-5, .note = "of the largest of the table's cells that are interpolated; nearest: away from cell boundaries"},
+    .reference = {.relative = 1e-10, .note = "of the largest of the table's cells that are interpolated; nearest: away from cell boundaries"}};
 
 template <class... Models>
 std::vector<ModelDescription> describe(TypeList<Models...>) { return {Models::kDescription..., kMeasured}; }

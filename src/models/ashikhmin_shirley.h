@@ -37,8 +37,8 @@ struct AshikhminShirley {
       .source = "Ashikhmin & Shirley 2000, An Anisotropic Phong BRDF Model, eq. 4, 5",
       .role = Role::specular,
       .parameters = kParameters,
-      .fast = {3e-6},
-      .reference = {3e-9, 1e-30, "3e-11 for exponents up to 1000"}};
+      .fast = {.relative = 3e-6},
+      .reference = {.relative = 3e-9, .note = "3e-11 for exponents up to 1000"}};
   using Kinds = TypeList<AshikhminShirley>;
 
   template <class S>

@@ -28,8 +28,8 @@ struct CookTorrance {
       .source = "Cook & Torrance 1982, A Reflectance Model for Computer Graphics",
       .role = Role::specular,
       .parameters = kParameters,
-      .fast = {3e-6},
-      .reference = {3e-9, 1e-30, "3e-11 for m of 0.03 and more"}};
+      .fast = {.relative = 3e-6},
+      .reference = {.relative = 3e-9, .note = "3e-11 for m of 0.03 and more"}};
   using Kinds = FresnelKinds<CookTorrance>;
 
   template <class S>

@@ -30,8 +30,8 @@ struct Ggx {
       .source = "Walter et al. 2007, Microfacet Models for Refraction; Heitz 2014, eq. 85, 99",
       .role = Role::specular,
       .parameters = kParameters,
-      .fast = {3e-6},
-      .reference = {3e-9, 1e-30, "3e-11 for roughness of 0.03 and more"}};
+      .fast = {.relative = 3e-6},
+      .reference = {.relative = 3e-9, .note = "3e-11 for roughness of 0.03 and more"}};
   using Kinds = FresnelKinds<Ggx>;
 
   template <class S>

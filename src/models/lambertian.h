@@ -22,8 +22,8 @@ struct Lambertian {
                                                  .source = "Lambert 1760, Photometria",
                                                  .role = Role::diffuse,
                                                  .parameters = kParameters,
-                                                 .fast = {2e-7},
-                                                 .reference = {1e-15}};
+                                                 .fast = {.relative = 2e-7},
+                                                 .reference = {.relative = 1e-15}};
   using Kinds = TypeList<Lambertian>;
 
   template <class S>

@@ -1,5 +1,6 @@
 // Mutated and random bytes: the codec must agree with the generated parser on what is legal, and
 // never touch memory that is not its own (the sanitizer builds watch).
+#include <google/protobuf/stubs/logging.h>
 #include <gtest/gtest.h>
 
 #include <random>
@@ -50,6 +51,7 @@ float touch(const Request& request) {
 }
 
 TEST(Fuzz, MutatedRequestsAgreeWithTheGeneratedParser) {
+  const google::protobuf::LogSilencer silent;
   std::mt19937 random(20'000);
   int accepted = 0;
   constexpr int kRounds = 20'000;
@@ -76,6 +78,7 @@ TEST(Fuzz, MutatedRequestsAgreeWithTheGeneratedParser) {
 }
 
 TEST(Fuzz, MutatedStreamMessagesDoNotCrash) {
+  const google::protobuf::LogSilencer silent;
   std::mt19937 random(30'000);
   for (int round = 0; round < 10'000; ++round) {
     v1::EvaluateStreamRequest request;
@@ -94,6 +97,7 @@ TEST(Fuzz, MutatedStreamMessagesDoNotCrash) {
 }
 
 TEST(Fuzz, RandomBytesDoNotCrash) {
+  const google::protobuf::LogSilencer silent;
   std::mt19937 random(40'000);
   for (int round = 0; round < 10'000; ++round) {
     std::string bytes(random() % 64, '\0');

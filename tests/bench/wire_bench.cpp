@@ -1,0 +1,180 @@
+// What the service costs beyond gRPC itself: throughput and latency against an echo on the same
+// server, and memory.
+//
+// The two sides of a comparison take turns within one run, so that a machine with other work slows
+// both. Wanted: stream echo_ratio >= 0.8, unary latency_ratio <= 1.2, memory < 100 MB on either
+// side.
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <vector>
+
+#include "bench/echo_client.h"
+#include "bench/resident.h"
+#include "bench/wire_server.h"
+#include "client/client.h"
+#include "server/daemon.h"
+#include "wire/codec.h"
+#include "wire/convert.h"
+
+namespace gonio::bench {
+namespace {
+
+constexpr std::size_t kChunkPairs = 65536;
+constexpr std::size_t kInFlight = 4;
+constexpr std::size_t kChannels = 3;
+constexpr const char* kMaterial =
+    R"({"model": "ashikhmin_shirley", "parameters": {"rd": [0.2, 0.1, 0.05],
+    "rs": [0.9, 0.8, 0.5], "nu": 100, "nv": 1000}})";
+
+client::Material material() { return *client::Material::from_json(kMaterial); }
+
+WireServer& server() {
+  static WireServer instance(kChunkPairs * kChannels * sizeof(float));
+  return instance;
+}
+
+struct Arrays {
+  std::vector<float> wi, wo, values;
+  explicit Arrays(std::size_t pairs) : wi(3 * pairs), wo(3 * pairs), values(kChannels * pairs) {
+    for (std::size_t i = 0; i < pairs; ++i) {
+      // A golden-angle spiral over the hemisphere, and the same the other way round.
+      const double z = (static_cast<double>(i) + 0.5) / static_cast<double>(pairs),
+                   r = std::sqrt(1 - z * z);
+      const double phi = 2.399963229728653 * static_cast<double>(i);
+      set(&wi[3 * i], r * std::cos(phi), r * std::sin(phi), z);
+      set(&wo[3 * i], z * std::sin(phi), z * std::cos(phi), r);
+    }
+  }
+  static void set(float* to, double x, double y, double z) {
+    to[0] = static_cast<float>(x);
+    to[1] = static_cast<float>(y);
+    to[2] = static_cast<float>(z);
+  }
+};
+
+double seconds(const std::function<bool()>& work, benchmark::State& state) {
+  const auto start = std::chrono::steady_clock::now();
+  if (!work()) state.SkipWithError("a call failed");
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::shared_ptr<grpc::Channel> channel_to(const std::string& target) {
+  grpc::ChannelArguments arguments;
+  arguments.SetMaxReceiveMessageSize(-1);
+  return grpc::CreateCustomChannel(target, grpc::InsecureChannelCredentials(), arguments);
+}
+
+grpc::ByteBuffer request_of(const Arrays& arrays, std::size_t pairs) {
+  v1::EvaluateRequest head;
+  *head.mutable_material() = *wire::material_from_json(kMaterial);
+  const wire::PairSlices slices{
+      {arrays.wi.data(), 12 * pairs}, {arrays.wo.data(), 12 * pairs}, false};
+  return wire::encode_stream_request(1, 0, head, &slices);
+}
+
+// 64 k-pair chunks, 4 in flight, from the caller's arrays into the caller's arrays.
+void stream_throughput(benchmark::State& state, const std::string& target) {
+  const auto pairs = static_cast<std::size_t>(state.range(0));
+  Arrays arrays(pairs);
+  const auto bench_material = material();
+  const auto connection = channel_to(target);
+  const auto client = client::Client::from_channel(connection, target, {});
+  const auto message = request_of(arrays, kChunkPairs);
+  const auto evaluate = [&] {
+    return client->evaluate(bench_material, arrays.wi, arrays.wo, arrays.values).ok();
+  };
+  const auto echo = [&] {
+    return echo_stream(connection, message, pairs / kChunkPairs, kInFlight);
+  };
+  evaluate(), echo();
+  double evaluate_seconds = 0, echo_seconds = 0;
+  for (auto _ : state) {
+    echo_seconds += seconds(echo, state);
+    const double taken = seconds(evaluate, state);
+    evaluate_seconds += taken;
+    state.SetIterationTime(taken);
+  }
+  const double done = static_cast<double>(state.iterations()) * static_cast<double>(pairs);
+  state.counters["pairs/s"] = done / evaluate_seconds;
+  state.counters["echo_pairs/s"] = done / echo_seconds;
+  state.counters["echo_ratio"] = echo_seconds / evaluate_seconds;
+}
+
+void unary_latency(benchmark::State& state, const std::string& target) {
+  Arrays arrays(1);
+  const auto bench_material = material();
+  const auto connection = channel_to(target);
+  const auto client = client::Client::from_channel(connection, target, {});
+  const grpc::Slice nothing;
+  const grpc::ByteBuffer empty(&nothing, 1);
+  grpc::ByteBuffer response;
+  const auto evaluate = [&] {
+    return client->evaluate(bench_material, arrays.wi, arrays.wo, arrays.values).ok();
+  };
+  const auto call = [&] { return raw_unary(*connection, kEmptyMethod, empty, response); };
+  evaluate(), call();
+  double evaluate_seconds = 0, call_seconds = 0;
+  for (auto _ : state) {
+    call_seconds += seconds(call, state);
+    const double taken = seconds(evaluate, state);
+    evaluate_seconds += taken;
+    state.SetIterationTime(taken);
+  }
+  const double calls = static_cast<double>(state.iterations());
+  state.counters["us"] = 1e6 * evaluate_seconds / calls;
+  state.counters["empty_us"] = 1e6 * call_seconds / calls;
+  state.counters["latency_ratio"] = evaluate_seconds / call_seconds;
+}
+
+// Growth of both processes over a 16 M-pair stream; the server is a goniod of its own.
+void memory(benchmark::State& state) {
+  testing::Daemon daemon({"--listen", "127.0.0.1:0"});
+  const std::string target = "127.0.0.1:" + std::to_string(daemon.port());
+  Arrays arrays(std::size_t{16} << 20);
+  const auto bench_material = material();
+  const auto client = client::Client::connect(target, {});
+  double client_bytes = 0, server_bytes = 0;
+  for (auto _ : state) {
+    reset_peak(::getpid());
+    const double client_before = resident_bytes(::getpid(), "VmRSS:");
+    const double server_before = resident_bytes(daemon.pid(), "VmRSS:");
+    if (!client->evaluate(bench_material, arrays.wi, arrays.wo, arrays.values).ok())
+      state.SkipWithError("it failed");
+    client_bytes = std::max(client_bytes, resident_bytes(::getpid(), "VmHWM:") - client_before);
+    server_bytes = std::max(server_bytes, resident_bytes(daemon.pid(), "VmHWM:") - server_before);
+  }
+  state.counters["client_MB"] = 1e-6 * client_bytes;
+  state.counters["server_MB"] = 1e-6 * server_bytes;
+}
+
+}  // namespace
+}  // namespace gonio::bench
+
+int main(int argc, char** argv) {
+  using namespace gonio::bench;
+  benchmark::Initialize(&argc, argv);
+  // First, while this process is still small.
+  benchmark::RegisterBenchmark("memory/16M_pairs", memory)
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
+  for (const auto& [name, target] :
+       {std::pair{"tcp", server().tcp_target}, std::pair{"unix", server().unix_target}}) {
+    benchmark::RegisterBenchmark((std::string("stream/") + name).c_str(), stream_throughput, target)
+        ->Arg(4 << 20)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond)
+        ->MinTime(3);
+    benchmark::RegisterBenchmark((std::string("unary/") + name).c_str(), unary_latency, target)
+        ->UseManualTime()
+        ->Unit(benchmark::kMicrosecond)
+        ->MinTime(2);
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

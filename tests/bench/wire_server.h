@@ -1,0 +1,50 @@
+// A gonio server in this process, set up as goniod's, with the echo beside the service: same port,
+// same threads.
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+#include <spdlog/sinks/null_sink.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "bench/echo_service.h"
+#include "server/configure.h"
+#include "server/service.h"
+
+namespace gonio::bench {
+
+class WireServer {
+ public:
+  explicit WireServer(std::size_t echo_bytes)
+      : unix_target("unix:/tmp/gonio-bench-" + std::to_string(::getpid())), echo_(echo_bytes) {
+    grpc::ServerBuilder builder;
+    configure(builder, options_);
+    builder.RegisterService(&service_).RegisterService(&echo_);
+    int port = 0;
+    builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port);
+    builder.AddListeningPort(unix_target, grpc::InsecureServerCredentials());
+    server_ = builder.BuildAndStart();
+    tcp_target = "127.0.0.1:" + std::to_string(port);
+  }
+  ~WireServer() { server_->Shutdown(); }
+
+  std::string tcp_target, unix_target;
+
+ private:
+  ServerOptions options_;
+  Materials materials_;
+  ThreadPool pool_{std::max(1, static_cast<int>(std::thread::hardware_concurrency())),
+                   options_.max_queued_jobs};
+  spdlog::logger logger_{"bench", std::make_shared<spdlog::sinks::null_sink_mt>()};
+  Service service_{
+      {materials_, pool_, options_.max_message_bytes, options_.max_queued_jobs, logger_}};
+  EchoService echo_;
+  std::unique_ptr<grpc::Server> server_;
+};
+
+}  // namespace gonio::bench
