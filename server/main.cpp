@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "base/version.h"
+#include "server/configure.h"
 #include "server/logging.h"
 #include "server/server.h"
 
@@ -112,6 +113,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kWrongUsage;
   }
+  gonio::keep_freed_memory();
   const sigset_t signals = block_stop_signals();
   return serve(arguments, signals);
 }

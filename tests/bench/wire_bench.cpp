@@ -8,9 +8,8 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
+#include <ctime>
 #include <functional>
-#include <iostream>
 #include <vector>
 
 #include "bench/echo_client.h"
@@ -57,10 +56,28 @@ struct Arrays {
   }
 };
 
-double seconds(const std::function<bool()>& work, benchmark::State& state) {
+// Time on the clock, and on all processors by all threads of this process, client's and server's.
+struct Spent {
+  double seconds = 0, cpu_seconds = 0;
+  Spent& operator+=(const Spent& other) {
+    seconds += other.seconds;
+    cpu_seconds += other.cpu_seconds;
+    return *this;
+  }
+};
+
+double cpu_now() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+Spent spent_on(const std::function<bool()>& work, benchmark::State& state) {
   const auto start = std::chrono::steady_clock::now();
+  const double cpu_start = cpu_now();
   if (!work()) state.SkipWithError("a call failed");
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+          cpu_now() - cpu_start};
 }
 
 std::shared_ptr<grpc::Channel> channel_to(const std::string& target) {
@@ -92,17 +109,19 @@ void stream_throughput(benchmark::State& state, const std::string& target) {
     return echo_stream(connection, message, pairs / kChunkPairs, kInFlight);
   };
   evaluate(), echo();
-  double evaluate_seconds = 0, echo_seconds = 0;
+  Spent evaluating, echoing;
   for (auto _ : state) {
-    echo_seconds += seconds(echo, state);
-    const double taken = seconds(evaluate, state);
-    evaluate_seconds += taken;
-    state.SetIterationTime(taken);
+    echoing += spent_on(echo, state);
+    const Spent taken = spent_on(evaluate, state);
+    evaluating += taken;
+    state.SetIterationTime(taken.seconds);
   }
   const double done = static_cast<double>(state.iterations()) * static_cast<double>(pairs);
-  state.counters["pairs/s"] = done / evaluate_seconds;
-  state.counters["echo_pairs/s"] = done / echo_seconds;
-  state.counters["echo_ratio"] = echo_seconds / evaluate_seconds;
+  state.counters["pairs/s"] = done / evaluating.seconds;
+  state.counters["echo_pairs/s"] = done / echoing.seconds;
+  state.counters["echo_ratio"] = echoing.seconds / evaluating.seconds;
+  state.counters["cpu_ns_a_pair"] = 1e9 * evaluating.cpu_seconds / done;
+  state.counters["echo_cpu_ns_a_pair"] = 1e9 * echoing.cpu_seconds / done;
 }
 
 void unary_latency(benchmark::State& state, const std::string& target) {
@@ -118,17 +137,19 @@ void unary_latency(benchmark::State& state, const std::string& target) {
   };
   const auto call = [&] { return raw_unary(*connection, kEmptyMethod, empty, response); };
   evaluate(), call();
-  double evaluate_seconds = 0, call_seconds = 0;
+  Spent evaluating, calling;
   for (auto _ : state) {
-    call_seconds += seconds(call, state);
-    const double taken = seconds(evaluate, state);
-    evaluate_seconds += taken;
-    state.SetIterationTime(taken);
+    calling += spent_on(call, state);
+    const Spent taken = spent_on(evaluate, state);
+    evaluating += taken;
+    state.SetIterationTime(taken.seconds);
   }
   const double calls = static_cast<double>(state.iterations());
-  state.counters["us"] = 1e6 * evaluate_seconds / calls;
-  state.counters["empty_us"] = 1e6 * call_seconds / calls;
-  state.counters["latency_ratio"] = evaluate_seconds / call_seconds;
+  state.counters["us"] = 1e6 * evaluating.seconds / calls;
+  state.counters["empty_us"] = 1e6 * calling.seconds / calls;
+  state.counters["latency_ratio"] = evaluating.seconds / calling.seconds;
+  state.counters["cpu_us"] = 1e6 * evaluating.cpu_seconds / calls;
+  state.counters["empty_cpu_us"] = 1e6 * calling.cpu_seconds / calls;
 }
 
 // Growth of both processes over a 16 M-pair stream; the server is a goniod of its own.
@@ -157,6 +178,7 @@ void memory(benchmark::State& state) {
 
 int main(int argc, char** argv) {
   using namespace gonio::bench;
+  gonio::keep_freed_memory();  // as goniod does; the echo has the same advantage
   benchmark::Initialize(&argc, argv);
   // First, while this process is still small.
   benchmark::RegisterBenchmark("memory/16M_pairs", memory)
