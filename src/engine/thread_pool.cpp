@@ -91,7 +91,8 @@ struct ThreadPool::State {
 
 ThreadPool::ThreadPool(int threads, std::size_t max_jobs) : state_(std::make_unique<State>()) {
   state_->max_jobs = max_jobs;
-  for (int i = 0; i < threads; ++i) state_->threads.emplace_back([state = state_.get()] { state->work_on(); });
+  for (int i = 0; i < threads; ++i)
+    state_->threads.emplace_back([state = state_.get()] { state->work_on(); });
 }
 
 ThreadPool::~ThreadPool() {

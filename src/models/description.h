@@ -1,5 +1,5 @@
-// What a model says of itself. One table per model, above its formula; validation, ListModels, `gonio models`, the
-// documentation and the fitter's bounds all read it.
+// What a model says of itself. One table per model, above its formula; validation, ListModels,
+// `gonio models`, the documentation and the fitter's bounds all read it.
 #pragma once
 
 #include <cstdint>
@@ -34,9 +34,10 @@ struct Parameter {
   std::span<const std::string_view> words = {};  // the default first; for Kind::word only
 };
 
-// |f - truth| <= relative * truth wherever truth > above and both n.wi and n.wo > cosine, truth being the formula in exact
-// arithmetic at the exactly normalised input directions. Closer to the horizon (89.99994 degrees) values are still finite
-// and not negative. `note` says where the bound does not hold, or is tighter; empty if it simply holds.
+// |f - truth| <= relative * truth wherever truth > above and both n.wi and n.wo > cosine, truth
+// being the formula in exact arithmetic at the exactly normalised input directions. Closer to the
+// horizon (89.99994 degrees) values are still finite and not negative. `note` says where the bound
+// does not hold, or is tighter; empty if it simply holds.
 struct ErrorBound {
   double relative = 0;
   double above = 1e-30;
