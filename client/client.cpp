@@ -28,6 +28,13 @@ Outcome check(const ClientOptions& options) {
   if (options.max_retries < 0) {
     return bad_value("max_retries", std::to_string(options.max_retries), "0 or more");
   }
+  if (options.connect_timeout.count() <= 0) {
+    return bad_value("connect_timeout", std::to_string(options.connect_timeout.count()) + " ms",
+                     "1 ms or more");
+  }
+  if (options.backoff.count() < 0) {
+    return bad_value("backoff", std::to_string(options.backoff.count()) + " ms", "0 or more");
+  }
   if (options.deadline.count() < 0) {
     return bad_value("deadline", std::to_string(options.deadline.count()) + " ms", "0 or more");
   }
@@ -43,15 +50,16 @@ void keep_grpc_running() {
 
 grpc::ChannelArguments arguments(const ClientOptions& options) {
   grpc::ChannelArguments arguments;
-  const int connect_timeout = static_cast<int>(options.connect_timeout.count());
-  const int backoff = static_cast<int>(options.backoff.count());
+  const auto milliseconds = [](std::chrono::milliseconds time) {
+    return static_cast<int>(std::clamp<std::int64_t>(time.count(), 1, 1'000'000'000));
+  };
   // Each Client has a connection of its own: two of them in one program do not slow each other
   // down.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
   // A retry must find the channel willing to connect again.
-  arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, std::max(backoff / 2, 1));
+  arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, milliseconds(options.backoff / 2));
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 1000);
-  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, std::max(connect_timeout, 1));
+  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, milliseconds(options.connect_timeout));
   // A server whose machine has gone (no word of its end can come) is noticed while a call waits for
   // it.
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, 30'000);

@@ -52,6 +52,8 @@ TEST_F(ErrorTest, WrongOptions) {
   for (auto change :
        {+[](ClientOptions& o) { o.chunk_pairs = 0; }, +[](ClientOptions& o) { o.in_flight = 0; },
         +[](ClientOptions& o) { o.max_retries = -1; },
+        +[](ClientOptions& o) { o.backoff = milliseconds(-1); },
+        +[](ClientOptions& o) { o.connect_timeout = milliseconds(0); },
         +[](ClientOptions& o) { o.deadline = milliseconds(-1); }}) {
     ClientOptions options;
     change(options);
