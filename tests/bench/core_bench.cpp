@@ -1,11 +1,12 @@
-// Speed and accuracy of the kernels in one run: every model on every instruction set against its scalar form as printed
-// (float and double), against the memory limit (six arrays added into three), and against the oracle.
+// Speed and accuracy of the kernels in one run: every model on every instruction set against its
+// scalar form as printed (float and double), against the memory limit (six arrays added into
+// three), and against the oracle.
 //
 //   core_bench                      the table below, after Google Benchmark's own lines
 //   core_bench --benchmark_filter=ggx
 //
-// Repetitions of all benchmarks are interleaved at random and the best of each counts: the machine may be busy, but it is
-// seldom busy throughout.
+// Repetitions of all benchmarks are interleaved at random and the best of each counts: the machine
+// may be busy, but it is seldom busy throughout.
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
@@ -22,7 +23,8 @@
 namespace gonio::bench {
 namespace {
 
-// Directions over the hemisphere as separate components, with room so that arrays do not share cache sets.
+// Directions over the hemisphere as separate components, with room so that arrays do not share
+// cache sets.
 struct Arrays {
   explicit Arrays(std::size_t n) : count(n) {
     std::mt19937 random(1);
@@ -32,7 +34,8 @@ struct Arrays {
     out64.resize(3 * n + 80);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t k = 0; k < 6; k += 3) {
-        const float z = uniform(random) * 0.999F + 0.001F, phi = 6.2831853F * uniform(random), s = std::sqrt(1 - z * z);
+        const float z = uniform(random) * 0.999F + 0.001F, phi = 6.2831853F * uniform(random),
+                    s = std::sqrt(1 - z * z);
         in[k][i] = s * std::cos(phi), in[k + 1][i] = s * std::sin(phi), in[k + 2][i] = z;
       }
     }
@@ -40,7 +43,8 @@ struct Arrays {
   template <class Out>
   [[nodiscard]] Batch<float, Out> batch(std::vector<Out>& to) const {
     return {Directions<float>::separate(in[0].data(), in[1].data(), in[2].data()),
-            Directions<float>::separate(in[3].data(), in[4].data(), in[5].data()), count, Values<Out>::planar(to.data(), count)};
+            Directions<float>::separate(in[3].data(), in[4].data(), in[5].data()), count,
+            Values<Out>::planar(to.data(), count)};
   }
   std::size_t count;
   std::vector<float> in[6], out;
@@ -77,7 +81,8 @@ void scalar(benchmark::State& state, const BenchCase<T>& model) {
   std::vector<T> out(3 * n);
   for (auto _ : state) {
     for (std::size_t i = 0; i < n; ++i) {
-      const std::array<T, 3> f = model.printed({T(a.in[0][i]), T(a.in[1][i]), T(a.in[2][i])}, {T(a.in[3][i]), T(a.in[4][i]), T(a.in[5][i])});
+      const std::array<T, 3> f = model.printed({T(a.in[0][i]), T(a.in[1][i]), T(a.in[2][i])},
+                                               {T(a.in[3][i]), T(a.in[4][i]), T(a.in[5][i])});
       out[3 * i] = f[0], out[3 * i + 1] = f[1], out[3 * i + 2] = f[2];
     }
     benchmark::DoNotOptimize(out.data());
@@ -151,28 +156,35 @@ void register_model(const std::string& name, const MaterialSpec& spec) {
     }
   }
   for (const std::size_t n : kSizes) {
-    benchmark::RegisterBenchmark((name + "/2 threads/" + std::to_string(n)).c_str(), two_threads, material, n)->UseRealTime();
+    benchmark::RegisterBenchmark((name + "/2 threads/" + std::to_string(n)).c_str(), two_threads,
+                                 material, n)
+        ->UseRealTime();
   }
 }
 
 template <class Out>
-void print_row(const Best& best, const std::string& name, const MaterialSpec& spec, const char* precision, Isa isa) {
+void print_row(const Best& best, const std::string& name, const MaterialSpec& spec,
+               const char* precision, Isa isa) {
   const std::string at = name + "/" + precision + "/" + std::string(name_of(isa)) + "/";
   const double rate = best.rate(at + "4096");
   if (rate == 0) return;
   const testing::Comparison error = accuracy<Out>(spec, isa);
-  std::printf("%-18s %-9s %-8s %7.2f %8.1f %8.1f %8.2f %8.2f   %8.1e %8.1e   %4.0f %4.0f %4.0f\n", name.c_str(), precision,
-              std::string(name_of(isa)).c_str(), 1e9 / rate, rate / best.rate(name + "/scalar float"),
-              rate / best.rate(name + "/scalar double"), rate / best.rate("memory limit/4096"),
-              best.rate(at + "1048576") / best.rate("memory limit/1048576"), error.worst, error.p999, best.rate(at + "1000") / 1e6,
-              best.rate(at + "10000") / 1e6, best.rate(at + "1048576") / 1e6);
+  std::printf("%-18s %-9s %-8s %7.2f %8.1f %8.1f %8.2f %8.2f   %8.1e %8.1e   %4.0f %4.0f %4.0f\n",
+              name.c_str(), precision, std::string(name_of(isa)).c_str(), 1e9 / rate,
+              rate / best.rate(name + "/scalar float"), rate / best.rate(name + "/scalar double"),
+              rate / best.rate("memory limit/4096"),
+              best.rate(at + "1048576") / best.rate("memory limit/1048576"), error.worst,
+              error.p999, best.rate(at + "1000") / 1e6, best.rate(at + "10000") / 1e6,
+              best.rate(at + "1048576") / 1e6);
 }
 
 void print_table(const Best& best) {
-  std::printf("\n%-18s %-9s %-8s %7s %8s %8s %8s %8s   %8s %8s   %s\n", "", "", "", "ns", "x scalar", "x scalar", "of limit", "of limit",
-              "error", "error", "M pairs/s of a batch of");
-  std::printf("%-18s %-9s %-8s %7s %8s %8s %8s %8s   %8s %8s   %4s %4s %4s\n", "model", "precision", "isa", "(4096)", "float", "double",
-              "(4096)", "(1 M)", "worst", "99.9 %", "1 k", "10 k", "1 M");
+  std::printf("\n%-18s %-9s %-8s %7s %8s %8s %8s %8s   %8s %8s   %s\n", "", "", "", "ns",
+              "x scalar", "x scalar", "of limit", "of limit", "error", "error",
+              "M pairs/s of a batch of");
+  std::printf("%-18s %-9s %-8s %7s %8s %8s %8s %8s   %8s %8s   %4s %4s %4s\n", "model", "precision",
+              "isa", "(4096)", "float", "double", "(4096)", "(1 M)", "worst", "99.9 %", "1 k",
+              "10 k", "1 M");
   for (const auto& model : bench_cases<float>()) {
     for (const Isa isa : supported_isas()) {
       print_row<float>(best, model.name, model.spec, "fast", isa);
@@ -185,7 +197,8 @@ void print_table(const Best& best) {
     std::printf("  %-18s", model.name.c_str());
     for (const std::size_t n : kSizes) {
       const std::string size = std::to_string(n);
-      std::printf("  %s: %.2f", size.c_str(), best.rate(model.name + "/2 threads/" + size) / best.rate(at + size));
+      std::printf("  %s: %.2f", size.c_str(),
+                  best.rate(model.name + "/2 threads/" + size) / best.rate(at + size));
     }
     std::printf("\n");
   }
@@ -197,9 +210,10 @@ void print_table(const Best& best) {
 int main(int argc, char** argv) {
   using namespace gonio::bench;
   std::vector<char*> arguments(argv, argv + argc);
-  char interleave[] = "--benchmark_enable_random_interleaving=true", repetitions[] = "--benchmark_repetitions=8",
-       quick[] = "--benchmark_min_time=0.02";
-  arguments.insert(arguments.begin() + 1, {interleave, repetitions, quick});  // the caller's own come later and win
+  char interleave[] = "--benchmark_enable_random_interleaving=true",
+       repetitions[] = "--benchmark_repetitions=8", quick[] = "--benchmark_min_time=0.02";
+  arguments.insert(arguments.begin() + 1,
+                   {interleave, repetitions, quick});  // the caller's own come later and win
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
   for (const std::size_t n : kSizes) {

@@ -1,5 +1,6 @@
-// The models as a loop of one's own would have them: scalar, straight from the page, in the caller's type. This is what
-// the kernels are timed against; it has the naive forms' errors on purpose.
+// The models as a loop of one's own would have them: scalar, straight from the page, in the
+// caller's type. This is what the kernels are timed against; it has the naive forms' errors on
+// purpose.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +25,9 @@ struct Printed {
   }
   static T schlick(T f0, T c) { return f0 + (1 - f0) * std::pow(1 - c, T(5)); }
 
-  static Rgb<T> lambertian(const V&, const V&) { return {T(0.1) / kPi, T(0.2) / kPi, T(0.3) / kPi}; }
+  static Rgb<T> lambertian(const V&, const V&) {
+    return {T(0.1) / kPi, T(0.2) / kPi, T(0.3) / kPi};
+  }
 
   static Rgb<T> ashikhmin_shirley(const V& wi, const V& wo) {
     constexpr Rgb<T> kRd{T(0.1), T(0.2), T(0.3)}, kRs{T(0.5), T(0.4), T(0.3)};
@@ -32,7 +35,8 @@ struct Printed {
     const V h = half(wi, wo);
     const T hk = dot(h, wi);
     const T e = (nu * h[0] * h[0] + nv * h[1] * h[1]) / (1 - h[2] * h[2]);
-    const T lobe = std::sqrt((nu + 1) * (nv + 1)) / (8 * kPi) * std::pow(h[2], e) / (hk * std::max(wi[2], wo[2]));
+    const T lobe = std::sqrt((nu + 1) * (nv + 1)) / (8 * kPi) * std::pow(h[2], e) /
+                   (hk * std::max(wi[2], wo[2]));
     const T diffuse = (1 - std::pow(1 - wi[2] / 2, T(5))) * (1 - std::pow(1 - wo[2] / 2, T(5)));
     Rgb<T> f;
     for (std::size_t c = 0; c < 3; ++c) {
@@ -55,7 +59,9 @@ struct Printed {
     const V h = half(wi, wo);
     const T s = h[0] * h[0] / (ax * ax) + h[1] * h[1] / (ay * ay) + h[2] * h[2];
     const T d = 1 / (kPi * ax * ay * s * s);
-    const auto stretched = [&](const V& w) { return std::sqrt(ax * ax * w[0] * w[0] + ay * ay * w[1] * w[1] + w[2] * w[2]); };
+    const auto stretched = [&](const V& w) {
+      return std::sqrt(ax * ax * w[0] * w[0] + ay * ay * w[1] * w[1] + w[2] * w[2]);
+    };
     return coloured(d / (2 * (wo[2] * stretched(wi) + wi[2] * stretched(wo))), dot(h, wi));
   }
 

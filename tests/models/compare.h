@@ -31,7 +31,8 @@ struct Comparison {
 };
 
 // What is wrong with a value whatever the accuracy, or empty. `above` is where the relative
-// criterion begins; below it a value must be as small as truth is. A truth of NaN asks only for a proper value.
+// criterion begins; below it a value must be as small as truth is. A truth of NaN asks only for a
+// proper value.
 template <class Out>
 std::string improper(Out got, Quad truth, double above) {
   constexpr Out kLargest = std::numeric_limits<Out>::max();
