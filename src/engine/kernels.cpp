@@ -4,7 +4,6 @@
 // One function per kind of model and precision takes blocks of packets through a model's steps:
 // stage (from the geometry), terms (what all channels share), value (of a channel). There is no
 // remainder loop: callers pad, so that a pair's result cannot depend on where in a batch it stands.
-#include <algorithm>
 #include <array>
 
 #include "engine/constants.h"
@@ -54,7 +53,10 @@ void analytic(const void* constants, const KernelInput<In>& in,
   const auto shape = given.shape;
   Block<N, Kind> block;
   for (std::size_t begin = 0; begin < in.count; begin += kBlock * raw::kWidth) {
-    const std::size_t packets = std::min(kBlock, (in.count - begin) / raw::kWidth);
+    // Not std::min: without optimisation it would be a symbol that objects of all instruction sets
+    // share.
+    const std::size_t left = (in.count - begin) / raw::kWidth;
+    const std::size_t packets = left < kBlock ? left : kBlock;
     for (std::size_t p = 0; p < packets; ++p) {
       const Geometry<N> g = load_geometry<N>(in, begin + p * raw::kWidth);
       block.valid[p] = g.valid;
