@@ -1,6 +1,7 @@
 #include "client/client.h"
 
 #include <google/protobuf/util/json_util.h>
+#include <grpc/grpc.h>
 #include <grpcpp/create_channel.h>
 #include <grpcpp/impl/codegen/proto_utils.h>
 #include <grpcpp/security/credentials.h>
@@ -27,23 +28,42 @@ Outcome check(const ClientOptions& options) {
   if (options.max_retries < 0) {
     return bad_value("max_retries", std::to_string(options.max_retries), "0 or more");
   }
+  if (options.connect_timeout.count() <= 0) {
+    return bad_value("connect_timeout", std::to_string(options.connect_timeout.count()) + " ms",
+                     "1 ms or more");
+  }
+  if (options.backoff.count() < 0) {
+    return bad_value("backoff", std::to_string(options.backoff.count()) + " ms", "0 or more");
+  }
   if (options.deadline.count() < 0) {
     return bad_value("deadline", std::to_string(options.deadline.count()) + " ms", "0 or more");
   }
   return Ok{};
 }
 
+// Without this, gRPC would stop its threads with the last client and start them again with the next
+// one, and that waits (10 s and more) for connections that hang.
+void keep_grpc_running() {
+  static const bool kStarted = (grpc_init(), true);
+  static_cast<void>(kStarted);
+}
+
 grpc::ChannelArguments arguments(const ClientOptions& options) {
   grpc::ChannelArguments arguments;
-  const int connect_timeout = static_cast<int>(options.connect_timeout.count());
-  const int backoff = static_cast<int>(options.backoff.count());
+  const auto milliseconds = [](std::chrono::milliseconds time) {
+    return static_cast<int>(std::clamp<std::int64_t>(time.count(), 1, 1'000'000'000));
+  };
   // Each Client has a connection of its own: two of them in one program do not slow each other
   // down.
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
   // A retry must find the channel willing to connect again.
-  arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, std::max(backoff / 2, 1));
+  arguments.SetInt(GRPC_ARG_INITIAL_RECONNECT_BACKOFF_MS, milliseconds(options.backoff / 2));
   arguments.SetInt(GRPC_ARG_MAX_RECONNECT_BACKOFF_MS, 1000);
-  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, std::max(connect_timeout, 1));
+  arguments.SetInt(GRPC_ARG_MIN_RECONNECT_BACKOFF_MS, milliseconds(options.connect_timeout));
+  // A server whose machine has gone (no word of its end can come) is noticed while a call waits for
+  // it.
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, 30'000);
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 20'000);
   // Proxies cost two thirds of the throughput; a web proxy in the environment is not meant for
   // this.
   arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
@@ -88,6 +108,7 @@ Result<Client> Client::connect(const std::string& address, const ClientOptions& 
 Result<Client> Client::from_channel(std::shared_ptr<grpc::Channel> channel, std::string name,
                                     const ClientOptions& options) {
   if (auto checked = check(options); !checked) return checked.error();
+  keep_grpc_running();
   return Client(
       std::make_unique<const State>(State{Peer{std::move(channel), std::move(name)}, options}));
 }

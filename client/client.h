@@ -1,9 +1,11 @@
 // The gonio client: evaluates materials on a server. This is the header to read first.
 //
 //   auto client = gonio::client::Client::connect("localhost:50051");
-//   auto gold = gonio::client::Material::from_json(R"({"model": "ggx", "parameters": {"f0": [1,
-//   0.86, 0.57]}})"); std::vector<float> wi = {0, 0, 1}, wo = {0.6f, 0, 0.8f}, values(3); auto
-//   report = client->evaluate(*gold, wi, wo, values);  // Result<Report>: the values, or why not
+//   auto gold = gonio::client::Material::from_json(
+//       R"({"model": "ggx", "parameters": {"f0": [1, 0.86, 0.57]}})");
+//   std::vector<float> wi = {0, 0, 1}, wo = {0.6f, 0, 0.8f}, values(3);
+//   auto report = client->evaluate(*gold, wi, wo, values);
+//   if (!report) std::puts(report.error().message.c_str());
 //
 // Directions live in the local shading frame: normal (0,0,1), tangents u = (1,0,0) and v = (0,1,0);
 // `wi` points to the light and `wo` to the viewer, both away from the surface; interleaved xyz,
@@ -52,7 +54,7 @@ struct ClientOptions {
   // After this long, an address that does not answer at all counts as unreachable. Not for
   // from_channel().
   std::chrono::milliseconds connect_timeout{5000};
-  // Pairs in a chunk; fewer are taken where an answer would exceed 4 MiB.
+  // Pairs in a chunk, and in a call; fewer are taken where an answer would exceed 3 MiB.
   std::size_t chunk_pairs = 65536;
   // Chunks on their way at a time.
   int in_flight = 4;
@@ -96,8 +98,8 @@ class Client {
   // For "host:port", "[::1]:port" or "unix:/path". Nothing is sent yet: a server that is not there
   // shows at the first call. Errors: options that make no sense.
   static Result<Client> connect(const std::string& address, const ClientOptions& options = {});
-  // Over a channel of the caller's own making; it must accept answers of more than gRPC's default
-  // of 4 MiB. `name` is what errors call it.
+  // Over a channel of the caller's own making (TLS, a balancing policy, in-process). `name` is what
+  // errors call the server.
   static Result<Client> from_channel(std::shared_ptr<grpc::Channel> channel, std::string name,
                                      const ClientOptions& options = {});
 

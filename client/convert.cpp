@@ -3,12 +3,12 @@
 namespace gonio::client {
 namespace {
 
-static_assert(flag::not_unit == gonio::v1::PAIR_FLAG_NOT_UNIT);
-static_assert(flag::not_finite == gonio::v1::PAIR_FLAG_NOT_FINITE);
-static_assert(flag::zero == gonio::v1::PAIR_FLAG_ZERO);
-static_assert(flag::incident_below_horizon == gonio::v1::PAIR_FLAG_INCIDENT_BELOW_HORIZON);
-static_assert(flag::outgoing_below_horizon == gonio::v1::PAIR_FLAG_OUTGOING_BELOW_HORIZON);
-static_assert(flag::outside_data == gonio::v1::PAIR_FLAG_OUTSIDE_DATA);
+static_assert(int{flag::not_unit} == gonio::v1::PAIR_FLAG_NOT_UNIT);
+static_assert(int{flag::not_finite} == gonio::v1::PAIR_FLAG_NOT_FINITE);
+static_assert(int{flag::zero} == gonio::v1::PAIR_FLAG_ZERO);
+static_assert(int{flag::incident_below_horizon} == gonio::v1::PAIR_FLAG_INCIDENT_BELOW_HORIZON);
+static_assert(int{flag::outgoing_below_horizon} == gonio::v1::PAIR_FLAG_OUTGOING_BELOW_HORIZON);
+static_assert(int{flag::outside_data} == gonio::v1::PAIR_FLAG_OUTSIDE_DATA);
 
 Role role_of(gonio::v1::ModelRole role) {
   switch (role) {
@@ -87,7 +87,7 @@ Precision precision_of(gonio::v1::Precision precision) {
 }
 
 ErrorBound error_bound_of(const gonio::v1::ErrorBound& bound) {
-  return {bound.relative(), bound.above(), bound.note()};
+  return {bound.relative(), bound.above(), bound.cosine(), bound.note()};
 }
 
 Catalogue catalogue_of(const gonio::v1::ListModelsResponse& response) {

@@ -1,8 +1,8 @@
 #include "client/loan.h"
 
-#include <grpcpp/completion_queue.h>
-
 #include <chrono>
+
+#include "client/attend.h"
 
 namespace gonio::client {
 
@@ -15,17 +15,7 @@ grpc::Slice Loan::lend(const void* data, std::size_t bytes) {
 
 Loan::~Loan() {
   if (lent_ == 0) return;
-  // gRPC gives back what a cancelled call was sending only while some thread attends to its
-  // connections: this one does.
-  grpc::CompletionQueue queue;
-  void* tag = nullptr;
-  bool ok = false;
-  while (lent_ != 0) {
-    queue.AsyncNext(&tag, &ok, std::chrono::system_clock::now() + std::chrono::milliseconds(1));
-  }
-  queue.Shutdown();
-  while (queue.Next(&tag, &ok)) {
-  }
+  attend_until(std::chrono::system_clock::time_point::max(), [this] { return lent_ == 0; });
 }
 
 }  // namespace gonio::client

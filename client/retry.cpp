@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <random>
-#include <thread>
 
+#include "client/attend.h"
 #include "wire/status.h"
 
 namespace gonio::client {
@@ -45,11 +45,13 @@ Error named(const grpc::Status& status, const std::string& peer) {
 Failure failure_of(const grpc::Status& status, const grpc::ClientContext& context,
                    const std::string& peer) {
   Failure failure{named(status, peer), false, std::nullopt};
+  const bool unavailable = status.error_code() == grpc::StatusCode::UNAVAILABLE;
+  const bool exhausted = status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED;
+  if (!unavailable && !exhausted) return failure;
   const std::optional<long> pushback = pushback_of(context);
   if (pushback.value_or(0) < 0) return failure;
   if (pushback) failure.pushback = std::chrono::milliseconds(*pushback);
-  failure.may_retry = status.error_code() == grpc::StatusCode::UNAVAILABLE ||
-                      (status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED && pushback);
+  failure.may_retry = unavailable || pushback;
   return failure;
 }
 
@@ -83,7 +85,7 @@ bool Patience::pause_to_retry(const Failure& failure) {
   if (!failure.may_retry || in_vain_ >= max_retries_) return false;
   const auto pause = next_pause(failure);
   if (deadline_ && Clock::now() + pause >= *deadline_) return false;
-  std::this_thread::sleep_for(pause);
+  attend_until(Clock::now() + pause);
   ++in_vain_;
   ++retries_;
   return true;

@@ -1,25 +1,21 @@
 #include "client/rpc.h"
 
-#include <grpcpp/completion_queue.h>
+#include "client/open_call.h"
 
 namespace gonio::client {
 namespace {
 
 grpc::Status call_once(const Peer& peer, const char* method, const grpc::ByteBuffer& request,
-                       grpc::ClientContext& context, grpc::ByteBuffer& response) {
+                       OpenCall& call) {
+  call.outgoing = request;
   grpc::GenericStub stub(peer.channel);
-  grpc::CompletionQueue queue;
-  grpc::Status status;
-  auto reader = stub.PrepareUnaryCall(&context, method, request, &queue);
-  reader->StartCall();
-  reader->Finish(&response, &status, nullptr);
+  call.reply = stub.PrepareUnaryCall(&call.context, method, call.outgoing, &call.queue);
+  call.reply->StartCall();
+  call.reply->Finish(&call.incoming, &call.status, nullptr);
   void* tag = nullptr;
   bool ok = false;
-  queue.Next(&tag, &ok);
-  queue.Shutdown();
-  while (queue.Next(&tag, &ok)) {
-  }
-  return status;
+  if (call.next(&tag, &ok)) return call.status;
+  return {grpc::StatusCode::DEADLINE_EXCEEDED, "the connection hangs"};
 }
 
 }  // namespace
@@ -27,12 +23,10 @@ grpc::Status call_once(const Peer& peer, const char* method, const grpc::ByteBuf
 Result<grpc::ByteBuffer> call(const Peer& peer, const char* method, const grpc::ByteBuffer& request,
                               Patience& patience) {
   for (;;) {
-    grpc::ClientContext context;
-    if (patience.deadline()) context.set_deadline(*patience.deadline());
-    grpc::ByteBuffer response;
-    const grpc::Status status = call_once(peer, method, request, context, response);
-    if (status.ok()) return response;
-    const Failure failure = failure_of(status, context, peer.name);
+    const OpenCallPointer open(new OpenCall(patience));
+    const grpc::Status status = call_once(peer, method, request, *open);
+    if (status.ok()) return open->incoming;
+    const Failure failure = failure_of(status, open->context, peer.name);
     if (!patience.pause_to_retry(failure)) return failure.error;
   }
 }

@@ -1,85 +1,79 @@
 #include "client/stream.h"
 
-#include <utility>
+#include <grpcpp/generic/generic_stub.h>
 
 namespace gonio::client {
+namespace {
 
-Stream::Stream(const Peer& peer, const Patience& patience) : peer_(peer.name) {
-  if (patience.deadline()) context_.set_deadline(*patience.deadline());
+enum Tag : std::intptr_t { started = 1, wrote, read, closed, finished };
+
+void* as_pointer(Tag tag) { return reinterpret_cast<void*>(static_cast<std::intptr_t>(tag)); }
+
+}  // namespace
+
+Stream::Stream(const Peer& peer, const Patience& patience)
+    : peer_(peer.name), call_(new OpenCall(patience)) {
   grpc::GenericStub stub(peer.channel);
-  rpc_ = stub.PrepareCall(&context_, kEvaluateStreamMethod, &queue_);
-  rpc_->StartCall(as_tag(started));
-}
-
-Stream::~Stream() {
-  context_.TryCancel();
-  drain();
-}
-
-void Stream::drain() {
-  queue_.Shutdown();
-  void* tag = nullptr;
-  bool ok = false;
-  while (queue_.Next(&tag, &ok)) {
-  }
+  call_->stream = stub.PrepareCall(&call_->context, kEvaluateStreamMethod, &call_->queue);
+  call_->stream->StartCall(as_pointer(started));
 }
 
 void Stream::start_read() {
-  incoming_.Clear();
-  rpc_->Read(&incoming_, as_tag(read));
+  call_->incoming.Clear();
+  call_->stream->Read(&call_->incoming, as_pointer(read));
 }
 
 Stream::Event Stream::next() {
   void* tag = nullptr;
   bool ok = false;
-  while (queue_.Next(&tag, &ok)) {
-    if (tag == as_tag(read)) {
+  while (call_->next(&tag, &ok)) {
+    if (tag == as_pointer(read)) {
       if (!ok) return Event::ended;
-      message_.Swap(&incoming_);
+      message_.Swap(&call_->incoming);
       start_read();
       return Event::message;
     }
-    if (tag == as_tag(started)) {
+    if (tag == as_pointer(started)) {
       if (!ok) return Event::ended;  // no read was started that could say so
       start_read();
     }
     // After a write that failed there may still be answers to read; the read will say when it is
     // over.
-    if (tag == as_tag(wrote)) outgoing_.Clear();
-    if (tag == as_tag(closed) || !ok) continue;
+    if (tag == as_pointer(wrote)) call_->outgoing.Clear();
+    if (tag == as_pointer(closed) || !ok) continue;
     writable_ = true;
     return Event::writable;
   }
   return Event::ended;
 }
 
-void Stream::write(grpc::ByteBuffer message) {
-  outgoing_.Swap(&message);
+void Stream::write(const grpc::ByteBuffer& message) {
+  call_->outgoing = message;
   writable_ = false;
-  rpc_->Write(outgoing_, as_tag(wrote));
+  call_->stream->Write(call_->outgoing, as_pointer(wrote));
 }
 
 void Stream::close() {
   while (!writable_) {  // the answer may be here before the news that the request has left
     if (next() == Event::ended) return;
   }
-  rpc_->WritesDone(as_tag(closed));
+  call_->stream->WritesDone(as_pointer(closed));
   while (next() != Event::ended) {
   }
 }
 
 Failure Stream::failure() {
-  grpc::Status status;
-  rpc_->Finish(&status, as_tag(finished));
+  call_->stream->Finish(&call_->status, as_pointer(finished));
   void* tag = nullptr;
   bool ok = false;
-  while (queue_.Next(&tag, &ok) && tag != as_tag(finished)) {
+  while (tag != as_pointer(finished)) {
+    if (call_->next(&tag, &ok)) continue;
+    const grpc::Status hangs(grpc::StatusCode::DEADLINE_EXCEEDED, "the connection hangs");
+    return failure_of(hangs, call_->context, peer_);
   }
-  if (status.ok()) {
-    const std::string message = peer_ + " ended the stream without answering every chunk";
-    return {Error{ErrorCode::unavailable, message, {}, {}, {}}, true, std::nullopt};
-  }
-  return failure_of(status, context_, peer_);
+  if (!call_->status.ok()) return failure_of(call_->status, call_->context, peer_);
+  const std::string message = peer_ + " ended the stream without answering every chunk";
+  return {Error{ErrorCode::unavailable, message, {}, {}, {}}, true, std::nullopt};
 }
 
 }  // namespace gonio::client

@@ -32,23 +32,26 @@ std::optional<InstructionSet> instruction_set_of(std::string_view name);  // the
 // Bits of a pair's flag byte. A flagged pair has the value 0 in every channel; 0 means nothing to
 // report.
 namespace flag {
-inline constexpr std::uint8_t not_unit = 1;    // a length differs from 1 by more than 1e-3
-inline constexpr std::uint8_t not_finite = 2;  // a component is NaN or infinite
-inline constexpr std::uint8_t zero = 4;        // a direction is (0,0,0)
-inline constexpr std::uint8_t incident_below_horizon = 8;   // wi is at or below the horizon
-inline constexpr std::uint8_t outgoing_below_horizon = 16;  // wo is at or below the horizon
-inline constexpr std::uint8_t outside_data = 32;  // a measured material has no valid data there
+enum Bit : std::uint8_t {
+  not_unit = 1,                 // a length differs from 1 by more than 1e-3
+  not_finite = 2,               // a component is NaN or infinite
+  zero = 4,                     // a direction is (0,0,0)
+  incident_below_horizon = 8,   // wi is at or below the horizon
+  outgoing_below_horizon = 16,  // wo is at or below the horizon
+  outside_data = 32,            // a measured material has no valid data there
+};
 }  // namespace flag
 
 inline constexpr std::size_t kFlagBits = 6;
 // What bit number `bit` (0 to kFlagBits - 1) means, in words: "not unit", ..., "outside the data".
 std::string_view flag_meaning(std::size_t bit);
 
-// |f - truth| <= relative * truth wherever truth > above. `note` says where that does not hold;
-// empty if it simply holds.
+// |f - truth| <= relative * truth wherever truth > above and both cosines > cosine. `note` says
+// where that does not hold, or is tighter; empty if it simply holds.
 struct ErrorBound {
   double relative = 0;
   double above = 0;
+  double cosine = 0;
   std::string note;
 };
 

@@ -127,10 +127,7 @@ wire::ResponseParts Evaluation::take_answer() {
   report.set_kernel_seconds(kernel_seconds());
   report.set_instruction_set(wire::to_wire(isa_));
   report.set_precision(wire::to_wire(precision_));
-  const ErrorBound bound = material_.error_bound(precision_);
-  report.mutable_error_bound()->set_relative(bound.relative);
-  report.mutable_error_bound()->set_above(bound.above);
-  report.mutable_error_bound()->set_note(std::string(bound.note));
+  *report.mutable_error_bound() = wire::to_wire(material_.error_bound(precision_));
   if (any_flags_ != 0) answer.flags = std::move(flags_);
   answer.values = std::move(values_);
   answer.is_f64 = precision_ == Precision::reference;

@@ -22,12 +22,6 @@ v1::ModelRole to_wire(Role role) {
   return v1::MODEL_ROLE_UNSPECIFIED;
 }
 
-void fill(const ErrorBound& from, v1::ErrorBound& to) {
-  to.set_relative(from.relative);
-  to.set_above(from.above);
-  to.set_note(std::string(from.note));
-}
-
 void fill(const Parameter& from, v1::Parameter& to) {
   to.set_name(std::string(from.name));
   to.set_meaning(std::string(from.meaning));
@@ -46,8 +40,8 @@ void fill(const ModelDescription& from, v1::Model& to) {
   to.set_source(std::string(from.source));
   to.set_role(to_wire(from.role));
   for (const Parameter& parameter : from.parameters) fill(parameter, *to.add_parameters());
-  fill(from.fast, *to.mutable_fast());
-  fill(from.reference, *to.mutable_reference());
+  *to.mutable_fast() = wire::to_wire(from.fast);
+  *to.mutable_reference() = wire::to_wire(from.reference);
 }
 
 }  // namespace

@@ -111,11 +111,11 @@ int run(const EvaluateArguments& arguments) {
   auto result = evaluate(connection->client, *material, arguments, *input, *writer);
   Outcome written = result ? writer->finish(*result) : Outcome(result.error());
   if (written) written = output->commit();
-  if (output->reader_gone()) return kExitOk;
+  if (output->reader_gone()) return exit_ok;
   if (!written) return fail(written.error());
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   report(*result, arguments, taken.count());
-  return kExitOk;
+  return exit_ok;
 }
 
 }  // namespace

@@ -9,18 +9,18 @@ ExitCode exit_code_of(const Error& error) {
     case ErrorCode::invalid_argument:
     case ErrorCode::not_found:
     case ErrorCode::data_loss:
-      return kExitBadInput;
+      return exit_bad_input;
     case ErrorCode::resource_exhausted:  // with a bound it is too large, else the server is too
                                          // busy
-      return error.allowed.empty() ? kExitUnreachable : kExitBadInput;
+      return error.allowed.empty() ? exit_unreachable : exit_bad_input;
     case ErrorCode::unavailable:
     case ErrorCode::deadline_exceeded:
-      return kExitUnreachable;
+      return exit_unreachable;
     case ErrorCode::cancelled:
     case ErrorCode::internal:
       break;
   }
-  return kExitFailed;
+  return exit_failed;
 }
 
 ExitCode fail(const Error& error) {

@@ -7,10 +7,10 @@
 namespace gonio::cli {
 
 enum ExitCode : int {
-  kExitOk = 0,           // also when the reader of the results went away early
-  kExitFailed = 1,       // something went wrong on the way: writing the results, inside the server
-  kExitBadInput = 2,     // wrong arguments, files, materials or directions
-  kExitUnreachable = 3,  // no answer from the server: not there, too busy, or past the deadline
+  exit_ok = 0,           // also when the reader of the results went away early
+  exit_failed = 1,       // something went wrong on the way: writing the results, inside the server
+  exit_bad_input = 2,    // wrong arguments, files, materials or directions
+  exit_unreachable = 3,  // no answer from the server: not there, too busy, or past the deadline
 };
 
 ExitCode exit_code_of(const Error& error);

@@ -23,6 +23,7 @@ std::string report_json(const client::Report& report) {
   json += ", \"precision\": " + quoted(name_of(report.precision));
   json += ", \"error_bound\": {\"relative\": " + shortest(report.error_bound.relative) +
           ", \"above\": " + shortest(report.error_bound.above) +
+          ", \"cosine\": " + shortest(report.error_bound.cosine) +
           ", \"note\": " + quoted(report.error_bound.note) + "}";
   json += ", \"flagged\": " + std::to_string(report.flagged);
   return json + ", \"retries\": " + std::to_string(report.retries) + "}";

@@ -31,7 +31,7 @@ Exit status: 0 done; 1 failed on the way; 2 wrong arguments, files or materials;
 }  // namespace
 
 int main(int argc, char** argv) {
-  using gonio::cli::kExitBadInput;
+  using gonio::cli::exit_bad_input;
   CLI::App app(kDescription, "gonio");
   app.footer(kFooter);
   app.set_version_flag("--version", std::string("gonio ") + gonio::kVersion);
@@ -45,11 +45,11 @@ int main(int argc, char** argv) {
     return app.exit(wanted);
   } catch (const CLI::ParseError& error) {
     std::fprintf(stderr, "gonio: error: %s\nTry 'gonio --help'.\n", error.what());
-    return kExitBadInput;
+    return exit_bad_input;
   }
   gonio::cli::handle_signals();
   for (const auto& command : commands) {
     if (command.arguments->parsed()) return command.run();
   }
-  return kExitBadInput;
+  return exit_bad_input;
 }

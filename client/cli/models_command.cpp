@@ -46,7 +46,7 @@ int run(const Arguments& arguments) {
   if (!output) return fail(output.error());
   const auto written = output->write(*text);
   if (!written && !output->reader_gone()) return fail(written.error());
-  return kExitOk;
+  return exit_ok;
 }
 
 }  // namespace

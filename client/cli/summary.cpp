@@ -34,7 +34,8 @@ std::string flag_summary(const client::Report& report) {
 }
 
 std::string bound_text(const client::ErrorBound& bound) {
-  std::string text = format("relative error <= %.3g where f > %.3g", bound.relative, bound.above);
+  std::string text = format("relative error <= %.3g where f > %.3g and the cosines > %.3g",
+                            bound.relative, bound.above, bound.cosine);
   if (!bound.note.empty()) text += " (" + bound.note + ")";
   return text;
 }

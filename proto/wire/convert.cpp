@@ -22,6 +22,15 @@ gonio::v1::InstructionSet to_wire(Isa isa) {
   return gonio::v1::INSTRUCTION_SET_UNSPECIFIED;
 }
 
+v1::ErrorBound to_wire(const ErrorBound& bound) {
+  v1::ErrorBound to;
+  to.set_relative(bound.relative);
+  to.set_above(bound.above);
+  to.set_cosine(bound.cosine);
+  to.set_note(std::string(bound.note));
+  return to;
+}
+
 Result<Precision> from_wire(gonio::v1::Precision precision) {
   switch (precision) {
     case gonio::v1::PRECISION_UNSPECIFIED:

@@ -8,11 +8,13 @@
 #include "engine/isa.h"
 #include "gonio/v1/evaluate.pb.h"
 #include "gonio/v1/material.pb.h"
+#include "models/description.h"
 
 namespace gonio::wire {
 
 gonio::v1::Precision to_wire(Precision precision);
 gonio::v1::InstructionSet to_wire(Isa isa);
+gonio::v1::ErrorBound to_wire(const ErrorBound& bound);
 
 // UNSPECIFIED is fast. Errors: a number that the enum does not have.
 Result<Precision> from_wire(gonio::v1::Precision precision);

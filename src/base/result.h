@@ -1,8 +1,9 @@
-// Errors as values. Every fallible function of the core returns Result<T>; nothing throws for bad input.
+// Errors as values. Every fallible function of the core returns Result<T>; nothing throws for bad
+// input.
 //
-// An Error names the field that is wrong, the value it had and what would have been allowed, so that
-// a caller (or the wire) can pass all three on in a machine-readable form. `message` says the same in
-// one sentence. Thread safety: plain values.
+// An Error names the field that is wrong, the value it had and what would have been allowed, so
+// that a caller (or the wire) can pass all three on in a machine-readable form. `message` says the
+// same in one sentence. Thread safety: plain values.
 #pragma once
 
 #include <cassert>
@@ -41,7 +42,8 @@ inline Error bad_value(std::string field, std::string value, std::string allowed
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : state_(std::move(value)) {}      // NOLINT(google-explicit-constructor): reads as a return
+  Result(T value)
+      : state_(std::move(value)) {}  // NOLINT(google-explicit-constructor): reads as a return
   Result(Error error) : state_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
 
   [[nodiscard]] bool ok() const { return state_.index() == 0; }

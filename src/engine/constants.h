@@ -14,7 +14,8 @@ template <class Kind>
 struct Constants {
   typename Kind::template Shape<double> shape;
   int channels;
-  // The same numbers twice: float32 arithmetic takes its constants from memory without a conversion.
+  // The same numbers twice: float32 arithmetic takes its constants from memory without a
+  // conversion.
   typename Kind::template Channel<double> wide[kMaxChannels];
   typename Kind::template Channel<float> real[kMaxChannels];
 
@@ -32,7 +33,8 @@ struct Constants {
 template <template <class> class Struct>
 Struct<float> to_float(const Struct<double>& from) {
   constexpr std::size_t kNumbers = sizeof(Struct<double>) / sizeof(double);
-  static_assert(std::is_empty_v<Struct<double>> || kNumbers * sizeof(float) == sizeof(Struct<float>));
+  static_assert(std::is_empty_v<Struct<double>> ||
+                kNumbers * sizeof(float) == sizeof(Struct<float>));
   if constexpr (std::is_empty_v<Struct<double>>) {
     return {};
   } else {

@@ -13,12 +13,12 @@
 namespace gonio {
 namespace {
 
-constexpr std::size_t kRun = 512;           // pairs that a kernel is given at a time
+constexpr std::size_t kRun = 512;             // pairs that a kernel is given at a time
 constexpr std::size_t kScratchValues = 2048;  // fits the first-level cache beside the directions
 constexpr std::size_t kAlignment = 64;
 
-// Results too small for a normal number become 0 while this lives: a lobe's tail is full of them, and each would cost a
-// hundred cycles. Denormal inputs keep their value.
+// Results too small for a normal number become 0 while this lives: a lobe's tail is full of them,
+// and each would cost a hundred cycles. Denormal inputs keep their value.
 class FlushToZero {
  public:
   FlushToZero() : before_(_mm_getcsr()) { _mm_setcsr(before_ | _MM_FLUSH_ZERO_ON); }
@@ -56,10 +56,11 @@ Directions<T> advanced(const Directions<T>& d, std::size_t by) {
 
 bool is_interleaved(const auto& d) { return d.stride == 3 && d.y == d.x + 1 && d.z == d.x + 2; }
 
-// Directions as separate components, the last repeated up to `padded`: copied to `to` unless they lie so already.
+// Directions as separate components, the last repeated up to `padded`: copied to `to` unless they
+// lie so already.
 template <class In>
-void lay_out(const Directions<In>& d, std::size_t n, std::size_t padded, const KernelTable& table, In (*to)[kRun],
-             const In* (&out)[3]) {
+void lay_out(const Directions<In>& d, std::size_t n, std::size_t padded, const KernelTable& table,
+             In (*to)[kRun], const In* (&out)[3]) {
   if (d.stride == 1 && n == padded) {
     out[0] = d.x, out[1] = d.y, out[2] = d.z;
     return;
@@ -79,8 +80,8 @@ void lay_out(const Directions<In>& d, std::size_t n, std::size_t padded, const K
 }
 
 template <class Out>
-void copy_values(const Out* from, std::size_t stride, int channels, std::size_t n, const KernelTable& table,
-                 const Values<Out>& to, std::size_t begin) {
+void copy_values(const Out* from, std::size_t stride, int channels, std::size_t n,
+                 const KernelTable& table, const Values<Out>& to, std::size_t begin) {
   Out* data = to.data + static_cast<std::ptrdiff_t>(begin) * to.pair_stride;
   if (to.channel_stride == 1 && to.pair_stride == channels) {
     layouts(table, Out()).join(from, stride, channels, n, data);
@@ -88,14 +89,15 @@ void copy_values(const Out* from, std::size_t stride, int channels, std::size_t 
   }
   for (int c = 0; c < channels; ++c) {
     for (std::size_t i = 0; i < n; ++i) {
-      data[static_cast<std::ptrdiff_t>(i) * to.pair_stride + c * to.channel_stride] = from[static_cast<std::size_t>(c) * stride + i];
+      data[static_cast<std::ptrdiff_t>(i) * to.pair_stride + c * to.channel_stride] =
+          from[static_cast<std::size_t>(c) * stride + i];
     }
   }
 }
 
 template <class In, class Out>
-std::uint8_t evaluate_run(const Material::Impl& material, const Batch<In, Out>& batch, std::size_t begin, std::size_t n,
-                          const KernelTable& table) {
+std::uint8_t evaluate_run(const Material::Impl& material, const Batch<In, Out>& batch,
+                          std::size_t begin, std::size_t n, const KernelTable& table) {
   const auto width = static_cast<std::size_t>(table.width);
   const std::size_t padded = (n + width - 1) / width * width;
   InputScratch<In> in_scratch;
@@ -123,39 +125,53 @@ std::uint8_t evaluate_run(const Material::Impl& material, const Batch<In, Out>& 
 }
 
 template <class In, class Out>
-std::uint8_t evaluate_span(const Material& material, const Batch<In, Out>& batch, std::size_t begin, std::size_t end, Isa isa) {
+std::uint8_t evaluate_span(const Material& material, const Batch<In, Out>& batch, std::size_t begin,
+                           std::size_t end, Isa isa) {
   assert(is_supported(isa));
   const KernelTable& table = kernels(isa);
   const Material::Impl& impl = material.impl();
-  const std::size_t by_channels = kScratchValues / static_cast<std::size_t>(impl.channels) / 16 * 16;
+  const std::size_t by_channels =
+      kScratchValues / static_cast<std::size_t>(impl.channels) / 16 * 16;
   const std::size_t run = std::min(kRun, by_channels);
   const FlushToZero flush;
   std::uint8_t any = 0;
   for (std::size_t at = begin; at < end; at += run) {
-    any = static_cast<std::uint8_t>(any | evaluate_run(impl, batch, at, std::min(run, end - at), table));
+    any = static_cast<std::uint8_t>(any |
+                                    evaluate_run(impl, batch, at, std::min(run, end - at), table));
   }
   return any;
 }
 
 template <class In, class Out>
-std::uint8_t evaluate_parallel(const Material& material, const Batch<In, Out>& batch, Isa isa, ThreadPool& pool) {
+std::uint8_t evaluate_parallel(const Material& material, const Batch<In, Out>& batch, Isa isa,
+                               ThreadPool& pool) {
   // Waking a thread costs what a thousand pairs do.
-  const std::size_t tile = std::clamp(batch.count / static_cast<std::size_t>(2 * pool.threads() + 2), std::size_t{1024}, kTilePairs);
+  const std::size_t tile =
+      std::clamp(batch.count / static_cast<std::size_t>(2 * pool.threads() + 2), std::size_t{1024},
+                 kTilePairs);
   const std::size_t size = (tile + 15) / 16 * 16;
   const std::size_t tiles = (batch.count + size - 1) / size;
   if (tiles <= 1) return evaluate_span(material, batch, 0, batch.count, isa);
   std::atomic<std::uint8_t> any{0};
   pool.run(tiles, [&](std::size_t i) {
-    any.fetch_or(evaluate_span(material, batch, i * size, std::min((i + 1) * size, batch.count), isa), std::memory_order_relaxed);
+    any.fetch_or(
+        evaluate_span(material, batch, i * size, std::min((i + 1) * size, batch.count), isa),
+        std::memory_order_relaxed);
   });
   return any.load();
 }
 
 }  // namespace
 
-std::uint8_t evaluate(const Material& m, const Batch<float, float>& b, Isa isa) { return evaluate_span(m, b, 0, b.count, isa); }
-std::uint8_t evaluate(const Material& m, const Batch<float, double>& b, Isa isa) { return evaluate_span(m, b, 0, b.count, isa); }
-std::uint8_t evaluate(const Material& m, const Batch<double, double>& b, Isa isa) { return evaluate_span(m, b, 0, b.count, isa); }
+std::uint8_t evaluate(const Material& m, const Batch<float, float>& b, Isa isa) {
+  return evaluate_span(m, b, 0, b.count, isa);
+}
+std::uint8_t evaluate(const Material& m, const Batch<float, double>& b, Isa isa) {
+  return evaluate_span(m, b, 0, b.count, isa);
+}
+std::uint8_t evaluate(const Material& m, const Batch<double, double>& b, Isa isa) {
+  return evaluate_span(m, b, 0, b.count, isa);
+}
 
 std::uint8_t evaluate(const Material& m, const Batch<float, float>& b, Isa isa, ThreadPool& pool) {
   return evaluate_parallel(m, b, isa, pool);
@@ -163,7 +179,8 @@ std::uint8_t evaluate(const Material& m, const Batch<float, float>& b, Isa isa, 
 std::uint8_t evaluate(const Material& m, const Batch<float, double>& b, Isa isa, ThreadPool& pool) {
   return evaluate_parallel(m, b, isa, pool);
 }
-std::uint8_t evaluate(const Material& m, const Batch<double, double>& b, Isa isa, ThreadPool& pool) {
+std::uint8_t evaluate(const Material& m, const Batch<double, double>& b, Isa isa,
+                      ThreadPool& pool) {
   return evaluate_parallel(m, b, isa, pool);
 }
 

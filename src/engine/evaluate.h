@@ -1,10 +1,11 @@
 // Evaluates a material for a batch of direction pairs.
 //
-// Frame: normal (0,0,1), tangents u = (1,0,0) and v = (0,1,0); wi points to the light and wo to the viewer, both away
-// from the surface. Values are f(wi, wo) in 1/sr, without a cosine. Directions may be off unit length by 1e-3 and are
-// corrected; what cannot be evaluated gets the value 0 in every channel and a flag, and touches nothing else.
-// Results depend on nothing but the pair, the material, the precision and the instruction set: not on the batch it is
-// in, nor on threads, tiles or layout (bit for bit).
+// Frame: normal (0,0,1), tangents u = (1,0,0) and v = (0,1,0); wi points to the light and wo to the
+// viewer, both away from the surface. Values are f(wi, wo) in 1/sr, without a cosine. Directions
+// may be off unit length by 1e-3 and are corrected; what cannot be evaluated gets the value 0 in
+// every channel and a flag, and touches nothing else. Results depend on nothing but the pair, the
+// material, the precision and the instruction set: not on the batch it is in, nor on threads, tiles
+// or layout (bit for bit).
 #pragma once
 
 #include <cstddef>
@@ -49,7 +50,9 @@ struct Values {
   std::ptrdiff_t channel_stride = 0;
 
   static Values interleaved(T* data, int channels) { return {data, channels, 1}; }
-  static Values planar(T* data, std::size_t pairs) { return {data, 1, static_cast<std::ptrdiff_t>(pairs)}; }
+  static Values planar(T* data, std::size_t pairs) {
+    return {data, 1, static_cast<std::ptrdiff_t>(pairs)};
+  }
 };
 
 // In/Out: float/float is Precision::fast; float/double and double/double are Precision::reference.
@@ -64,14 +67,18 @@ struct Batch {
 // Pairs evaluated at a time by one thread; cancellation is looked at between tiles.
 inline constexpr std::size_t kTilePairs = 4096;
 
-// Evaluates the whole batch on the calling thread. `isa` must be supported. Returns the bitwise or of all flags.
+// Evaluates the whole batch on the calling thread. `isa` must be supported. Returns the bitwise or
+// of all flags.
 std::uint8_t evaluate(const Material& material, const Batch<float, float>& batch, Isa isa);
 std::uint8_t evaluate(const Material& material, const Batch<float, double>& batch, Isa isa);
 std::uint8_t evaluate(const Material& material, const Batch<double, double>& batch, Isa isa);
 
 // The same on the calling thread and `pool` together; returns when all is done.
-std::uint8_t evaluate(const Material& material, const Batch<float, float>& batch, Isa isa, ThreadPool& pool);
-std::uint8_t evaluate(const Material& material, const Batch<float, double>& batch, Isa isa, ThreadPool& pool);
-std::uint8_t evaluate(const Material& material, const Batch<double, double>& batch, Isa isa, ThreadPool& pool);
+std::uint8_t evaluate(const Material& material, const Batch<float, float>& batch, Isa isa,
+                      ThreadPool& pool);
+std::uint8_t evaluate(const Material& material, const Batch<float, double>& batch, Isa isa,
+                      ThreadPool& pool);
+std::uint8_t evaluate(const Material& material, const Batch<double, double>& batch, Isa isa,
+                      ThreadPool& pool);
 
 }  // namespace gonio

@@ -12,8 +12,9 @@ constexpr std::array kIsas{Isa::baseline, Isa::avx2, Isa::avx512};
 std::size_t count_supported() {
   __builtin_cpu_init();
   if (__builtin_cpu_supports("avx2") == 0 || __builtin_cpu_supports("fma") == 0) return 1;
-  const bool avx512 = __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-                      __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512bw") != 0;
+  const bool avx512 =
+      __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+      __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512bw") != 0;
   return avx512 ? 3 : 2;
 }
 
@@ -33,13 +34,18 @@ std::string_view name_of(Isa isa) {
   return kNames[static_cast<std::size_t>(isa)];
 }
 
-std::string_view name_of(Precision precision) { return precision == Precision::fast ? "fast" : "reference"; }
+std::string_view name_of(Precision precision) {
+  return precision == Precision::fast ? "fast" : "reference";
+}
 
 const KernelTable& kernels(Isa isa) {
   switch (isa) {
-    case Isa::avx512: return avx512::kKernels;
-    case Isa::avx2: return avx2::kKernels;
-    case Isa::baseline: break;
+    case Isa::avx512:
+      return avx512::kKernels;
+    case Isa::avx2:
+      return avx2::kKernels;
+    case Isa::baseline:
+      break;
   }
   return baseline::kKernels;
 }

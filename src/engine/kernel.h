@@ -1,4 +1,5 @@
-// What the kernels compiled per instruction set offer to the rest of the engine: plain tables of functions.
+// What the kernels compiled per instruction set offer to the rest of the engine: plain tables of
+// functions.
 //
 // Nothing here has code: this header is read by objects of different instruction sets.
 #pragma once
@@ -10,7 +11,8 @@
 
 namespace gonio {
 
-// A run of pairs as the kernels take it: separate, contiguous components; the count a multiple of the packet's width.
+// A run of pairs as the kernels take it: separate, contiguous components; the count a multiple of
+// the packet's width.
 template <class In>
 struct KernelInput {
   const In* wi[3];
@@ -18,8 +20,8 @@ struct KernelInput {
   std::size_t count;
 };
 
-// Channel c of pair i goes to values[c * channel_stride + i]. Flags of bad pairs are written, those of good ones are not
-// touched. With `accumulate` the values are added to what is there.
+// Channel c of pair i goes to values[c * channel_stride + i]. Flags of bad pairs are written, those
+// of good ones are not touched. With `accumulate` the values are added to what is there.
 template <class Out>
 struct KernelOutput {
   Out* values;
@@ -42,12 +44,13 @@ struct KernelSet {
 template <class T>
 struct Layouts {
   void (*split)(const T* xyz, std::size_t n, T* x, T* y, T* z);
-  void (*join)(const T* planar, std::size_t channel_stride, int channels, std::size_t n, T* interleaved);
+  void (*join)(const T* planar, std::size_t channel_stride, int channels, std::size_t n,
+               T* interleaved);
 };
 
 // Everything that one instruction set offers.
 struct KernelTable {
-  int width;  // lanes of a packet
+  int width;                  // lanes of a packet
   const KernelSet* analytic;  // by kind, in the order of the registry's kinds
   KernelSet measured_linear, measured_nearest;
   Layouts<float> layout32;

@@ -1,8 +1,9 @@
-// The batch kernels of one instruction set: compiled three times, with GONIO_ISA naming the namespace.
+// The batch kernels of one instruction set: compiled three times, with GONIO_ISA naming the
+// namespace.
 //
-// One function per kind of model and precision takes blocks of packets through a model's steps: stage (from the geometry),
-// terms (what all channels share), value (of a channel). There is no remainder loop: callers pad, so that a pair's result cannot depend on where in a batch it stands.
-#include <algorithm>
+// One function per kind of model and precision takes blocks of packets through a model's steps:
+// stage (from the geometry), terms (what all channels share), value (of a channel). There is no
+// remainder loop: callers pad, so that a pair's result cannot depend on where in a batch it stands.
 #include <array>
 
 #include "engine/constants.h"
@@ -17,8 +18,9 @@
 namespace gonio::GONIO_ISA {
 namespace {
 
-// Packets taken through one step at a time. The whole chain of one packet is longer than what a processor can look ahead,
-// so it would wait for itself; a step is short enough that several packets overlap.
+// Packets taken through one step at a time. The whole chain of one packet is longer than what a
+// processor can look ahead, so it would wait for itself; a step is short enough that several
+// packets overlap.
 constexpr std::size_t kBlock = 16;
 
 template <class N, class Kind>
@@ -30,8 +32,8 @@ struct Block {
 
 // One channel of a block's packets.
 template <bool kAccumulate, class N, class Kind>
-GONIO_INLINE void write_channel(const Block<N, Kind>& block, const Constants<Kind>& constants, int c, std::size_t packets,
-                                typename N::Out* to) {
+GONIO_INLINE void write_channel(const Block<N, Kind>& block, const Constants<Kind>& constants,
+                                int c, std::size_t packets, typename N::Out* to) {
   using Real = typename N::Real;
   const auto wide = constants.wide[c];
   const auto real = constants.template channel<typename N::RealScalar>(c);
@@ -44,19 +46,24 @@ GONIO_INLINE void write_channel(const Block<N, Kind>& block, const Constants<Kin
 }
 
 template <class N, class Kind, class In>
-void analytic(const void* constants, const KernelInput<In>& in, const KernelOutput<typename N::Out>& out) {
+void analytic(const void* constants, const KernelInput<In>& in,
+              const KernelOutput<typename N::Out>& out) {
   const auto& given = *static_cast<const Constants<Kind>*>(constants);
   // A copy that no store can alias, so that it stays in registers.
   const auto shape = given.shape;
   Block<N, Kind> block;
   for (std::size_t begin = 0; begin < in.count; begin += kBlock * raw::kWidth) {
-    const std::size_t packets = std::min(kBlock, (in.count - begin) / raw::kWidth);
+    // Not std::min: without optimisation it would be a symbol that objects of all instruction sets
+    // share.
+    const std::size_t left = (in.count - begin) / raw::kWidth;
+    const std::size_t packets = left < kBlock ? left : kBlock;
     for (std::size_t p = 0; p < packets; ++p) {
       const Geometry<N> g = load_geometry<N>(in, begin + p * raw::kWidth);
       block.valid[p] = g.valid;
       block.stage[p] = Kind::template stage<N>(shape, g);
     }
-    for (std::size_t p = 0; p < packets; ++p) block.terms[p] = Kind::template terms<N>(shape, block.stage[p]);
+    for (std::size_t p = 0; p < packets; ++p)
+      block.terms[p] = Kind::template terms<N>(shape, block.stage[p]);
     for (std::size_t p = 0; p < packets; ++p) {
       const unsigned valid = block.valid[p].bits();
       if (valid != kAllLanes) note_flags(in, begin + p * raw::kWidth, valid, out.flags);
@@ -74,7 +81,8 @@ void analytic(const void* constants, const KernelInput<In>& in, const KernelOutp
 
 template <class Kind>
 constexpr KernelSet kernel_set() {
-  return {&analytic<Fast, Kind, float>, &analytic<Reference, Kind, float>, &analytic<Reference, Kind, double>};
+  return {&analytic<Fast, Kind, float>, &analytic<Reference, Kind, float>,
+          &analytic<Reference, Kind, double>};
 }
 
 // The sets of all kinds of all models, in the registry's order.
@@ -101,7 +109,8 @@ constexpr std::array<KernelSet, sizeof...(Kinds)> kernel_sets(TypeList<Kinds...>
 constexpr auto kAnalytic = kernel_sets(AllKinds<TypeList<>, AllModels>::Type{});
 
 template <class T>
-void split(const T* __restrict xyz, std::size_t n, T* __restrict x, T* __restrict y, T* __restrict z) {
+void split(const T* __restrict xyz, std::size_t n, T* __restrict x, T* __restrict y,
+           T* __restrict z) {
   for (std::size_t i = 0; i < n; ++i) {
     x[i] = xyz[3 * i];
     y[i] = xyz[3 * i + 1];
@@ -110,7 +119,8 @@ void split(const T* __restrict xyz, std::size_t n, T* __restrict x, T* __restric
 }
 
 template <class T>
-void join_channels(const T* __restrict planar, std::size_t channel_stride, int channels, std::size_t n, T* __restrict out) {
+void join_channels(const T* __restrict planar, std::size_t channel_stride, int channels,
+                   std::size_t n, T* __restrict out) {
   if (channels == 3) {
     for (std::size_t i = 0; i < n; ++i) {
       out[3 * i] = planar[i];
@@ -131,8 +141,10 @@ extern const KernelTable kKernels;
 const KernelTable kKernels{
     .width = raw::kWidth,
     .analytic = kAnalytic.data(),
-    .measured_linear = {&measured<Fast, true, float>, &measured<Reference, true, float>, &measured<Reference, true, double>},
-    .measured_nearest = {&measured<Fast, false, float>, &measured<Reference, false, float>, &measured<Reference, false, double>},
+    .measured_linear = {&measured<Fast, true, float>, &measured<Reference, true, float>,
+                        &measured<Reference, true, double>},
+    .measured_nearest = {&measured<Fast, false, float>, &measured<Reference, false, float>,
+                         &measured<Reference, false, double>},
     .layout32 = {&split<float>, &join_channels<float>},
     .layout64 = {&split<double>, &join_channels<double>},
 };

@@ -13,8 +13,8 @@ namespace gonio {
 
 struct NamedLobe {
   const LobeSpec* spec;
-  std::string prefix;              // of its fields, in errors
-  std::optional<Role> must_be;     // its place in a sum
+  std::string prefix;           // of its fields, in errors
+  std::optional<Role> must_be;  // its place in a sum
 };
 
 struct CheckedLobe {

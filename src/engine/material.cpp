@@ -17,7 +17,8 @@ Result<std::vector<NamedLobe>> list_lobes(const MaterialSpec& spec, std::string_
   const std::string at(prefix);
   const bool sum = spec.diffuse.has_value() || !spec.specular.empty();
   if (spec.model.has_value() == sum) {
-    return bad_value(at.empty() ? "material" : at.substr(0, at.size() - 1), sum ? "a model and a sum" : "empty",
+    return bad_value(at.empty() ? "material" : at.substr(0, at.size() - 1),
+                     sum ? "a model and a sum" : "empty",
                      "one model, or a sum of a diffuse base and specular lobes");
   }
   if (spec.specular.size() > static_cast<std::size_t>(kMaxSpecularLobes)) {
@@ -28,16 +29,20 @@ Result<std::vector<NamedLobe>> list_lobes(const MaterialSpec& spec, std::string_
   if (spec.model) lobes.push_back({&*spec.model, at, std::nullopt});
   if (spec.diffuse) lobes.push_back({&*spec.diffuse, at + "diffuse.", Role::diffuse});
   for (std::size_t i = 0; i < spec.specular.size(); ++i) {
-    lobes.push_back({&spec.specular[i], at + "specular[" + std::to_string(i) + "].", Role::specular});
+    lobes.push_back(
+        {&spec.specular[i], at + "specular[" + std::to_string(i) + "].", Role::specular});
   }
   return lobes;
 }
 
-ErrorBound worse(const ErrorBound& a, const ErrorBound& b) { return a.relative < b.relative ? b : a; }
+ErrorBound worse(const ErrorBound& a, const ErrorBound& b) {
+  return a.relative < b.relative ? b : a;
+}
 
 void add_part(Material::Impl& material, const CheckedLobe& lobe) {
   PreparedLobe prepared = prepare(*lobe.model, lobe.kind, lobe.values, material.channels);
-  material.parts.push_back({MaterialPart::Source::analytic, prepared.kernel, std::move(prepared.constants)});
+  material.parts.push_back(
+      {MaterialPart::Source::analytic, prepared.kernel, std::move(prepared.constants)});
   material.fast = worse(material.fast, lobe.model->fast);
   material.reference = worse(material.reference, lobe.model->reference);
   material.bytes += static_cast<std::size_t>(material.channels) * 8 * sizeof(double);
@@ -61,7 +66,8 @@ Result<Material> Material::create(const MaterialSpec& spec, std::string_view pre
   return Material(std::move(impl));
 }
 
-Material Material::from_table(std::shared_ptr<const MeasuredTable> table, Interpolation interpolation) {
+Material Material::from_table(std::shared_ptr<const MeasuredTable> table,
+                              Interpolation interpolation) {
   auto impl = std::make_shared<Impl>();
   impl->channels = MeasuredTable::kChannels;
   impl->bytes = MeasuredTable::kCells * MeasuredTable::kChannels * sizeof(float);
@@ -75,8 +81,9 @@ Material Material::from_table(std::shared_ptr<const MeasuredTable> table, Interp
   };
   auto owner = std::make_shared<Owner>(Owner{{table->data()}, table});
   const MeasuredConstants* constants = &owner->constants;
-  impl->parts.push_back({interpolation == Interpolation::linear ? MaterialPart::Source::measured_linear
-                                                                : MaterialPart::Source::measured_nearest,
+  impl->parts.push_back({interpolation == Interpolation::linear
+                             ? MaterialPart::Source::measured_linear
+                             : MaterialPart::Source::measured_nearest,
                          0, std::shared_ptr<const void>(std::move(owner), constants)});
   return Material(std::move(impl));
 }

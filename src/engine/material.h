@@ -1,7 +1,7 @@
 // A material, checked and prepared for evaluation: one model, a sum of lobes, or a measured table.
 //
-// Build one from a MaterialSpec (what a person writes) or from a table. A Material is immutable and cheap to copy (it
-// shares its data); evaluating one from many threads at once is safe.
+// Build one from a MaterialSpec (what a person writes) or from a table. A Material is immutable and
+// cheap to copy (it shares its data); evaluating one from many threads at once is safe.
 #pragma once
 
 #include <map>
@@ -44,13 +44,15 @@ enum class Interpolation : std::uint8_t {
 
 class Material {
  public:
-  // Checks every name, bound and length. Errors name the field as `prefix` + "specular[0].parameters.alpha_x".
+  // Checks every name, bound and length. Errors name the field as `prefix` +
+  // "specular[0].parameters.alpha_x".
   static Result<Material> create(const MaterialSpec& spec, std::string_view prefix = {});
-  static Material from_table(std::shared_ptr<const MeasuredTable> table, Interpolation interpolation);
+  static Material from_table(std::shared_ptr<const MeasuredTable> table,
+                             Interpolation interpolation);
 
-  [[nodiscard]] int channels() const;                        // 1 to kMaxChannels
-  [[nodiscard]] ErrorBound error_bound(Precision) const;     // the worst of the parts
-  [[nodiscard]] std::size_t bytes() const;                   // memory held
+  [[nodiscard]] int channels() const;                     // 1 to kMaxChannels
+  [[nodiscard]] ErrorBound error_bound(Precision) const;  // the worst of the parts
+  [[nodiscard]] std::size_t bytes() const;                // memory held
 
   struct Impl;
   [[nodiscard]] const Impl& impl() const { return *impl_; }

@@ -15,8 +15,8 @@ GONIO_INLINE Vec3<T> load(const In* const (&component)[3], std::size_t i) {
 
 template <class N, class In>
 GONIO_INLINE Geometry<N> load_geometry(const KernelInput<In>& in, std::size_t i) {
-  return {load<typename N::Wide>(in.wi, i), load<typename N::Wide>(in.wo, i), load<typename N::Real>(in.wi, i),
-          load<typename N::Real>(in.wo, i)};
+  return {load<typename N::Wide>(in.wi, i), load<typename N::Wide>(in.wo, i),
+          load<typename N::Real>(in.wi, i), load<typename N::Real>(in.wo, i)};
 }
 
 // The flags of one direction. `below` is the flag for a direction at or below the horizon.
@@ -34,7 +34,8 @@ GONIO_INLINE std::uint8_t direction_flags(double x, double y, double z, std::uin
 
 // The rare path: flags of the lanes that are not valid.
 template <class In>
-[[gnu::noinline]] void note_flags(const KernelInput<In>& in, std::size_t i, unsigned valid, std::uint8_t* flags) {
+[[gnu::noinline]] void note_flags(const KernelInput<In>& in, std::size_t i, unsigned valid,
+                                  std::uint8_t* flags) {
   if (flags == nullptr) return;
   for (std::size_t lane = 0; lane < raw::kWidth; ++lane) {
     if ((valid >> lane & 1U) != 0) continue;
@@ -42,7 +43,8 @@ template <class In>
     const auto found = static_cast<std::uint8_t>(
         direction_flags(in.wi[0][at], in.wi[1][at], in.wi[2][at], flag::incident_below_horizon) |
         direction_flags(in.wo[0][at], in.wo[1][at], in.wo[2][at], flag::outgoing_below_horizon));
-    // A length within rounding of the tolerance may look right here and wrong to the kernel, whose word counts.
+    // A length within rounding of the tolerance may look right here and wrong to the kernel, whose
+    // word counts.
     flags[at] = found != 0 ? found : flag::not_unit;
   }
 }

@@ -10,15 +10,17 @@
 
 namespace gonio {
 
-using PrepareFn = std::shared_ptr<const void> (*)(const ParameterValues<double>& values, int channels);
+using PrepareFn = std::shared_ptr<const void> (*)(const ParameterValues<double>& values,
+                                                  int channels);
 
 struct PreparedLobe {
   std::size_t kernel;                     // index into KernelTable::analytic
   std::shared_ptr<const void> constants;  // a Constants<Kind>
 };
 
-// `model` is one of models(), not the measured one; `kind` counts the combinations of the model's word parameters, in the
-// order of its table, the last word the fastest.
-PreparedLobe prepare(const ModelDescription& model, std::size_t kind, const ParameterValues<double>& values, int channels);
+// `model` is one of models(), not the measured one; `kind` counts the combinations of the model's
+// word parameters, in the order of its table, the last word the fastest.
+PreparedLobe prepare(const ModelDescription& model, std::size_t kind,
+                     const ParameterValues<double>& values, int channels);
 
 }  // namespace gonio

@@ -13,21 +13,31 @@ namespace {
 constexpr std::array<std::string_view, 2> kInterpolations{"linear", "nearest"};
 constexpr std::array kMeasuredParameters{
     Parameter{.name = "interpolation",
-              .meaning = "between the centres of the neighbouring valid cells, or the cell that holds the directions",
+              .meaning = "between the centres of the neighbouring valid cells, or the cell that "
+                         "holds the directions",
               .unit = "1",
               .kind = Kind::word,
               .words = kInterpolations}};
 constexpr ModelDescription kMeasured{
     .name = "measured",
-    .summary = "a table of measurements (MERL .binary), stored with the server or read from a local file",
-    .source = "Matusik, Pfister, Brand & McMillan 2003, A Data-Driven Reflectance Model; Rusinkiewicz 1998",
+    .summary =
+        "a table of measurements (MERL .binary), stored with the server or read from a local file",
+    .source =
+        "Matusik, Pfister, Brand & McMillan 2003, A Data-Driven Reflectance Model; Rusinkiewicz "
+        "1998",
     .role = Role::measured,
     .parameters = kMeasuredParameters,
-    .fast = {1e-5, 1e-30, "of the largest of the table's cells that are interpolated; nearest: away from cell boundaries"},
-    .reference = {1e-10, 1e-30, "of the largest of the table's cells that are interpolated; nearest: away from cell boundaries"}};
+    .fast = {.relative = 1e-5,
+             .note = "of the largest of the table's cells that are interpolated; nearest: away "
+                     "from cell boundaries"},
+    .reference = {.relative = 1e-10,
+                  .note = "of the largest of the table's cells that are interpolated; nearest: "
+                          "away from cell boundaries"}};
 
 template <class... Models>
-std::vector<ModelDescription> describe(TypeList<Models...>) { return {Models::kDescription..., kMeasured}; }
+std::vector<ModelDescription> describe(TypeList<Models...>) {
+  return {Models::kDescription..., kMeasured};
+}
 
 template <class Kind>
 std::shared_ptr<const void> prepare_kind(const ParameterValues<double>& values, int channels) {
@@ -42,7 +52,9 @@ std::shared_ptr<const void> prepare_kind(const ParameterValues<double>& values, 
 }
 
 template <class... Kinds>
-void add_kinds(std::vector<PrepareFn>& kinds, TypeList<Kinds...>) { (kinds.push_back(&prepare_kind<Kinds>), ...); }
+void add_kinds(std::vector<PrepareFn>& kinds, TypeList<Kinds...>) {
+  (kinds.push_back(&prepare_kind<Kinds>), ...);
+}
 
 struct PrepareTable {
   std::vector<PrepareFn> kinds;
@@ -52,7 +64,8 @@ struct PrepareTable {
 template <class... Models>
 PrepareTable prepare_table(TypeList<Models...>) {
   PrepareTable table;
-  ((table.first.push_back(table.kinds.size()), add_kinds(table.kinds, typename Models::Kinds{})), ...);
+  ((table.first.push_back(table.kinds.size()), add_kinds(table.kinds, typename Models::Kinds{})),
+   ...);
   return table;
 }
 
@@ -72,7 +85,8 @@ Result<const ModelDescription*> find_model(std::string_view name) {
   return bad_value("model", '"' + std::string(name) + '"', known, ErrorCode::not_found);
 }
 
-PreparedLobe prepare(const ModelDescription& model, std::size_t kind, const ParameterValues<double>& values, int channels) {
+PreparedLobe prepare(const ModelDescription& model, std::size_t kind,
+                     const ParameterValues<double>& values, int channels) {
   static const PrepareTable table = prepare_table(AllModels{});
   const std::size_t index = table.first[static_cast<std::size_t>(&model - models().data())] + kind;
   return {index, table.kinds[index](values, channels)};

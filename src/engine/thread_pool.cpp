@@ -54,12 +54,11 @@ struct ThreadPool::State {
         std::erase(ready, active);
       }
       last = --active->running == 0 && active->next >= active->job.tiles;
+      // Its place is free before `done` is told, which may submit the next job.
+      if (last) --jobs;
+      if (last && closing) work.notify_all();
     }
-    if (!last) return;
-    if (active->job.done) active->job.done(!active->stopped);
-    const std::lock_guard lock(mutex);
-    --jobs;
-    if (closing) work.notify_all();
+    if (last && active->job.done) active->job.done(!active->stopped);
   }
 
   void work_on() {
@@ -92,7 +91,8 @@ struct ThreadPool::State {
 
 ThreadPool::ThreadPool(int threads, std::size_t max_jobs) : state_(std::make_unique<State>()) {
   state_->max_jobs = max_jobs;
-  for (int i = 0; i < threads; ++i) state_->threads.emplace_back([state = state_.get()] { state->work_on(); });
+  for (int i = 0; i < threads; ++i)
+    state_->threads.emplace_back([state = state_.get()] { state->work_on(); });
 }
 
 ThreadPool::~ThreadPool() {
@@ -108,13 +108,11 @@ bool ThreadPool::submit(Job&& job) {
   {
     const std::lock_guard lock(state_->mutex);
     if (state_->jobs >= state_->max_jobs) return false;
-    ++state_->jobs;
+    if (job.tiles > 0) ++state_->jobs;
   }
   auto active = std::make_shared<Active>(Active{std::move(job)});
   if (active->job.tiles > 0) return state_->add(std::move(active)), true;
   if (active->job.done) active->job.done(true);
-  const std::lock_guard lock(state_->mutex);
-  --state_->jobs;
   return true;
 }
 

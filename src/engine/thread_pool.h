@@ -1,7 +1,7 @@
 // One fixed set of compute threads with a bounded queue.
 //
-// A job is a number of tiles. Workers take tiles of the queued jobs in turn, so that a short job is not held up by a long
-// one. Thread safety: all members may be called from any thread.
+// A job is a number of tiles. Workers take tiles of the queued jobs in turn, so that a short job is
+// not held up by a long one. Thread safety: all members may be called from any thread.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,11 @@ class ThreadPool {
  public:
   struct Job {
     std::size_t tiles = 0;
-    std::function<void(std::size_t tile)> run;  // called once per tile, from several threads; must not throw
-    std::function<bool()> stop;                 // asked before each tile; true abandons the rest. May be empty
-    std::function<void(bool completed)> done;   // called once, by the thread that ends the job; false if stopped
+    std::function<void(std::size_t tile)>
+        run;                     // called once per tile, from several threads; must not throw
+    std::function<bool()> stop;  // asked before each tile; true abandons the rest. May be empty
+    std::function<void(bool completed)>
+        done;  // called once, by the thread that ends the job; false if stopped
   };
 
   // `threads` >= 1; at most `max_jobs` jobs are queued or running at a time.
@@ -28,7 +30,8 @@ class ThreadPool {
   // False (and `job` untouched: `done` is not called) when the queue is full.
   [[nodiscard]] bool submit(Job&& job);
 
-  // Runs body(0) ... body(tiles - 1) on the pool and the calling thread; returns when all are done. Never refused.
+  // Runs body(0) ... body(tiles - 1) on the pool and the calling thread; returns when all are done.
+  // Never refused.
   void run(std::size_t tiles, const std::function<void(std::size_t tile)>& body);
 
   [[nodiscard]] int threads() const;

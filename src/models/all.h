@@ -1,4 +1,5 @@
-// The registry: every analytic model, one line each. The order is that of ListModels and of the kernel tables.
+// The registry: every analytic model, one line each. The order is that of ListModels and of the
+// kernel tables.
 #pragma once
 
 #include "models/ashikhmin_shirley.h"

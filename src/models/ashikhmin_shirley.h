@@ -1,12 +1,15 @@
-// ashikhmin_shirley: the anisotropic Phong model, with the diffuse term of its own that keeps energy.
+// ashikhmin_shirley: the anisotropic Phong model, with the diffuse term of its own that keeps
+// energy.
 //
-//   f_s = scale sqrt((nu+1)(nv+1)) / (8 pi) * (n.h)^e / ((h.k) max(n.wi, n.wo)) * F,   F Schlick with f0 = rs,
+//   f_s = scale sqrt((nu+1)(nv+1)) / (8 pi) * (n.h)^e / ((h.k) max(n.wi, n.wo)) * F,   F Schlick
+//   with f0 = rs,
 //         e = (nu hx^2 + nv hy^2) / (hx^2 + hy^2)
 //   f_d = 28 rd / (23 pi) (1 - rs) (1 - (1 - n.wi/2)^5) (1 - (1 - n.wo/2)^5)
 //
 // Source: Ashikhmin & Shirley 2000, "An Anisotropic Phong BRDF Model", equations 4 and 5.
-// Stable forms: (n.h)^e = 2^(-e/2 log2(1 + s/c)) with s = Hx^2 + Hy^2, c = Hz^2 of H = wi + wo, whose logarithm is exact to
-// the last digits near h = n; there e is 0/0, but bounded by nu and nv, and the logarithm 0; 1 - (1 - w)^5 = w (5 - 10w + 10w^2 - 5w^3 + w^4) does not cancel at grazing.
+// Stable forms: (n.h)^e = 2^(-e/2 log2(1 + s/c)) with s = Hx^2 + Hy^2, c = Hz^2 of H = wi + wo,
+// whose logarithm is exact to the last digits near h = n; there e is 0/0, but bounded by nu and nv,
+// and the logarithm 0; 1 - (1 - w)^5 = w (5 - 10w + 10w^2 - 5w^3 + w^4) does not cancel at grazing.
 #pragma once
 
 #include <array>
@@ -23,22 +26,45 @@ namespace gonio {
 
 struct AshikhminShirley {
   static constexpr std::array kParameters{
-      Parameter{.name = "rd", .meaning = "diffuse colour", .unit = "1", .lower = 0, .upper = 1, .start = 0, .kind = Kind::colour},
-      Parameter{.name = "rs", .meaning = "specular reflectance at normal incidence", .unit = "1", .lower = 0, .upper = 1,
-                .start = 0.5, .kind = Kind::colour},
-      Parameter{.name = "nu", .meaning = "exponent along the tangent u", .unit = "1", .lower = 0, .upper = 1e8, .start = 100,
+      Parameter{.name = "rd",
+                .meaning = "diffuse colour",
+                .unit = "1",
+                .lower = 0,
+                .upper = 1,
+                .start = 0,
+                .kind = Kind::colour},
+      Parameter{.name = "rs",
+                .meaning = "specular reflectance at normal incidence",
+                .unit = "1",
+                .lower = 0,
+                .upper = 1,
+                .start = 0.5,
+                .kind = Kind::colour},
+      Parameter{.name = "nu",
+                .meaning = "exponent along the tangent u",
+                .unit = "1",
+                .lower = 0,
+                .upper = 1e8,
+                .start = 100,
                 .scale = Scale::logarithmic},
-      Parameter{.name = "nv", .meaning = "exponent along the tangent v", .unit = "1", .lower = 0, .upper = 1e8, .start = 100,
+      Parameter{.name = "nv",
+                .meaning = "exponent along the tangent v",
+                .unit = "1",
+                .lower = 0,
+                .upper = 1e8,
+                .start = 100,
                 .scale = Scale::logarithmic},
       kScale};
   static constexpr ModelDescription kDescription{
       .name = "ashikhmin_shirley",
-      .summary = "anisotropic Phong lobe of the half-vector with Schlick's Fresnel and an energy-keeping diffuse term",
+      .summary =
+          "anisotropic Phong lobe of the half-vector with Schlick's Fresnel and an energy-keeping "
+          "diffuse term",
       .source = "Ashikhmin & Shirley 2000, An Anisotropic Phong BRDF Model, eq. 4, 5",
       .role = Role::specular,
       .parameters = kParameters,
-      .fast = {3e-6},
-      .reference = {3e-9, 1e-30, "3e-11 for exponents up to 1000"}};
+      .fast = {.relative = 3e-6},
+      .reference = {.relative = 3e-9, .note = "3e-11 for exponents up to 1000"}};
   using Kinds = TypeList<AshikhminShirley>;
 
   template <class S>
@@ -63,13 +89,15 @@ struct AshikhminShirley {
   static Shape<S> shape(const ParameterValues<S>& p) {
     using std::sqrt;
     const S nu = p.number("nu"), nv = p.number("nv");
-    return {S(-0.5) * nu, S(-0.5) * nv, sqrt((nu + S(1)) * (nv + S(1))) / S(8 * 3.14159265358979323846)};
+    return {S(-0.5) * nu, S(-0.5) * nv,
+            sqrt((nu + S(1)) * (nv + S(1))) / S(8 * 3.14159265358979323846)};
   }
 
   template <class S>
   static Channel<S> channel(const ParameterValues<S>& p, int c) {
     const S rd = p.colour("rd", c), rs = p.colour("rs", c), scale = p.colour("scale", c);
-    return {scale * rs, scale * (S(1) - rs), S(28 / (23 * 3.14159265358979323846)) * rd * (S(1) - rs)};
+    return {scale * rs, scale * (S(1) - rs),
+            S(28 / (23 * 3.14159265358979323846)) * rd * (S(1) - rs)};
   }
 
   template <class N>
@@ -78,7 +106,12 @@ struct AshikhminShirley {
     const Vec3<Wide> h = g.h();
     const Wide x2 = h.x * h.x, y2 = h.y * h.y;
     const typename N::Real cos_d = g.cos_d();
-    return {Wide(k.minus_half_nu) * x2 + Wide(k.minus_half_nv) * y2, x2 + y2, h.z * h.z, g.cos_i(), g.cos_o(), cos_d,
+    return {Wide(k.minus_half_nu) * x2 + Wide(k.minus_half_nv) * y2,
+            x2 + y2,
+            h.z * h.z,
+            g.cos_i(),
+            g.cos_o(),
+            cos_d,
             g.one_minus(cos_d)};
   }
 
@@ -91,7 +124,8 @@ struct AshikhminShirley {
     // Divided one after the other: the product of two tiny cosines would underflow.
     const Real amplitude = N::times_exp2(Real(k.norm) / g.cos_d / max(g.cos_i, g.cos_o), exponent);
     const Real w = g.one_minus_cos_d;
-    return {min(N::largest(), amplitude), (w * w) * (w * w) * w, falloff(g.cos_i) * falloff(g.cos_o)};
+    return {min(N::largest(), amplitude), (w * w) * (w * w) * w,
+            falloff(g.cos_i) * falloff(g.cos_o)};
   }
 
   // 1 - (1 - cos/2)^5.
@@ -102,10 +136,12 @@ struct AshikhminShirley {
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real value(const Terms<N>& t, const Channel<typename N::WideScalar>&,
+  static GONIO_INLINE typename N::Real value(const Terms<N>& t,
+                                             const Channel<typename N::WideScalar>&,
                                              const Channel<typename N::RealScalar>& c) {
     using Real = typename N::Real;
-    return t.amplitude * (Real(c.specular) + Real(c.specular_rest) * t.w5) + Real(c.diffuse) * t.diffuse;
+    return t.amplitude * (Real(c.specular) + Real(c.specular_rest) * t.w5) +
+           Real(c.diffuse) * t.diffuse;
   }
 };
 

@@ -4,10 +4,10 @@
 //   D = exp(-tan^2(delta) / m^2) / (pi m^2 cos^4(delta)),   cos(delta) = n.h
 //   G = min(1, 2 (n.h)(n.wo) / (wo.h), 2 (n.h)(n.wi) / (wi.h))
 //
-// Source: Cook & Torrance 1982, "A Reflectance Model for Computer Graphics" (with pi and 4 as they must be for D to be a
-// distribution: the integral of D cos is 1).
-// Stable forms: with H = wi + wo unnormalised, G / (4 cos_i cos_o) = Hz / (cos_max max(4 cos_min Hz, |H|^2)), which is
-// finite where the cosines vanish; 1/cos^2(delta) = |H|^2 / Hz^2.
+// Source: Cook & Torrance 1982, "A Reflectance Model for Computer Graphics" (with pi and 4 as they
+// must be for D to be a distribution: the integral of D cos is 1). Stable forms: with H = wi + wo
+// unnormalised, G / (4 cos_i cos_o) = Hz / (cos_max max(4 cos_min Hz, |H|^2)), which is finite
+// where the cosines vanish; 1/cos^2(delta) = |H|^2 / Hz^2.
 #pragma once
 
 #include <array>
@@ -18,18 +18,26 @@
 namespace gonio {
 
 struct CookTorrance {
-  static constexpr std::array kParameters{
-      Parameter{.name = "m", .meaning = "Beckmann's root mean square slope", .unit = "1", .lower = 1e-3, .upper = 2, .start = 0.3,
-                .scale = Scale::logarithmic},
-      fresnel::kKind, fresnel::kF0, fresnel::kEta, fresnel::kK, kScale};
+  static constexpr std::array kParameters{Parameter{.name = "m",
+                                                    .meaning = "Beckmann's root mean square slope",
+                                                    .unit = "1",
+                                                    .lower = 1e-3,
+                                                    .upper = 2,
+                                                    .start = 0.3,
+                                                    .scale = Scale::logarithmic},
+                                          fresnel::kKind,
+                                          fresnel::kF0,
+                                          fresnel::kEta,
+                                          fresnel::kK,
+                                          kScale};
   static constexpr ModelDescription kDescription{
       .name = "cook_torrance",
       .summary = "V-groove microfacets with Beckmann's distribution",
       .source = "Cook & Torrance 1982, A Reflectance Model for Computer Graphics",
       .role = Role::specular,
       .parameters = kParameters,
-      .fast = {3e-6},
-      .reference = {3e-9, 1e-30, "3e-11 for m of 0.03 and more"}};
+      .fast = {.relative = 3e-6},
+      .reference = {.relative = 3e-9, .note = "3e-11 for m of 0.03 and more"}};
   using Kinds = FresnelKinds<CookTorrance>;
 
   template <class S>
@@ -55,7 +63,8 @@ struct CookTorrance {
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k, const Stage<N>& g) {
+  static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k,
+                                                 const Stage<N>& g) {
     using Wide = typename N::Wide;
     using Real = typename N::Real;
     const Wide inverse_z2 = Wide(1) / (g.z * g.z);

@@ -1,5 +1,5 @@
-// What a model says of itself. One table per model, above its formula; validation, ListModels, `gonio models`, the
-// documentation and the fitter's bounds all read it.
+// What a model says of itself. One table per model, above its formula; validation, ListModels,
+// `gonio models`, the documentation and the fitter's bounds all read it.
 #pragma once
 
 #include <cstdint>
@@ -34,11 +34,14 @@ struct Parameter {
   std::span<const std::string_view> words = {};  // the default first; for Kind::word only
 };
 
-// |f - truth| <= relative * truth wherever truth > above, truth being the formula in exact arithmetic at the exactly
-// normalised input directions. `note` says where that does not hold, or in which sense it does; empty if it simply holds.
+// |f - truth| <= relative * truth wherever truth > above and both n.wi and n.wo > cosine, truth
+// being the formula in exact arithmetic at the exactly normalised input directions. Closer to the
+// horizon (89.99994 degrees) values are still finite and not negative. `note` says where the bound
+// does not hold, or is tighter; empty if it simply holds.
 struct ErrorBound {
   double relative = 0;
   double above = 1e-30;
+  double cosine = 1e-6;
   std::string_view note = {};
 };
 

@@ -1,12 +1,15 @@
-// ggx: microfacets with the anisotropic Trowbridge-Reitz distribution and height-correlated Smith masking.
+// ggx: microfacets with the anisotropic Trowbridge-Reitz distribution and height-correlated Smith
+// masking.
 //
 //   f = scale F D G2 / (4 (n.wi) (n.wo))
 //   D = 1 / (pi ax ay (hx^2/ax^2 + hy^2/ay^2 + hz^2)^2)
-//   G2 / (4 (n.wi)(n.wo)) = 1 / (2 ((n.wo) L(wi) + (n.wi) L(wo))),   L(w) = sqrt(ax^2 wx^2 + ay^2 wy^2 + wz^2)
+//   G2 / (4 (n.wi)(n.wo)) = 1 / (2 ((n.wo) L(wi) + (n.wi) L(wo))),   L(w) = sqrt(ax^2 wx^2 + ay^2
+//   wy^2 + wz^2)
 //
-// Sources: Trowbridge & Reitz 1975; Walter et al. 2007, "Microfacet Models for Refraction"; Heitz 2014, "Understanding the
-// Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 85 and 99.
-// Stable form: D (n.h)-free as (|H|^2 / (Hx^2/ax^2 + Hy^2/ay^2 + Hz^2))^2 of the unnormalised half-vector.
+// Sources: Trowbridge & Reitz 1975; Walter et al. 2007, "Microfacet Models for Refraction"; Heitz
+// 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 85 and 99.
+// Stable form: D (n.h)-free as (|H|^2 / (Hx^2/ax^2 + Hy^2/ay^2 + Hz^2))^2 of the unnormalised
+// half-vector.
 #pragma once
 
 #include <array>
@@ -18,20 +21,33 @@
 namespace gonio {
 
 struct Ggx {
-  static constexpr std::array kParameters{
-      Parameter{.name = "alpha_x", .meaning = "roughness along the tangent u", .unit = "1", .lower = 1e-3, .upper = 1, .start = 0.3,
-                .scale = Scale::logarithmic},
-      Parameter{.name = "alpha_y", .meaning = "roughness along the tangent v", .unit = "1", .lower = 1e-3, .upper = 1, .start = 0.3,
-                .scale = Scale::logarithmic},
-      fresnel::kKind, fresnel::kF0, fresnel::kEta, fresnel::kK, kScale};
+  static constexpr std::array kParameters{Parameter{.name = "alpha_x",
+                                                    .meaning = "roughness along the tangent u",
+                                                    .unit = "1",
+                                                    .lower = 1e-3,
+                                                    .upper = 1,
+                                                    .start = 0.3,
+                                                    .scale = Scale::logarithmic},
+                                          Parameter{.name = "alpha_y",
+                                                    .meaning = "roughness along the tangent v",
+                                                    .unit = "1",
+                                                    .lower = 1e-3,
+                                                    .upper = 1,
+                                                    .start = 0.3,
+                                                    .scale = Scale::logarithmic},
+                                          fresnel::kKind,
+                                          fresnel::kF0,
+                                          fresnel::kEta,
+                                          fresnel::kK,
+                                          kScale};
   static constexpr ModelDescription kDescription{
       .name = "ggx",
       .summary = "anisotropic Trowbridge-Reitz microfacets with height-correlated Smith masking",
       .source = "Walter et al. 2007, Microfacet Models for Refraction; Heitz 2014, eq. 85, 99",
       .role = Role::specular,
       .parameters = kParameters,
-      .fast = {3e-6},
-      .reference = {3e-9, 1e-30, "3e-11 for roughness of 0.03 and more"}};
+      .fast = {.relative = 3e-6},
+      .reference = {.relative = 3e-9, .note = "3e-11 for roughness of 0.03 and more"}};
   using Kinds = FresnelKinds<Ggx>;
 
   template <class S>
@@ -42,7 +58,8 @@ struct Ggx {
   template <class S>
   static Shape<S> shape(const ParameterValues<S>& p) {
     const S ax = p.number("alpha_x"), ay = p.number("alpha_y");
-    return {ax * ax, ay * ay, S(1) / (ax * ax), S(1) / (ay * ay), S(0.5) / (S(3.14159265358979323846) * ax * ay)};
+    return {ax * ax, ay * ay, S(1) / (ax * ax), S(1) / (ay * ay),
+            S(0.5) / (S(3.14159265358979323846) * ax * ay)};
   }
 
   template <class N>
@@ -55,12 +72,14 @@ struct Ggx {
   static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>& k, const Geometry<N>& g) {
     using Wide = typename N::Wide;
     const Vec3<Wide> h = g.h();
-    return {g.h_length2(), h.x * h.x * Wide(k.inverse_ax2) + h.y * h.y * Wide(k.inverse_ay2) + h.z * h.z,
+    return {g.h_length2(),
+            h.x * h.x * Wide(k.inverse_ax2) + h.y * h.y * Wide(k.inverse_ay2) + h.z * h.z,
             g.cos_o() * length<N>(k, g.real_wi) + g.cos_i() * length<N>(k, g.real_wo)};
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k, const Stage<N>& g) {
+  static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k,
+                                                 const Stage<N>& g) {
     using Real = typename N::Real;
     const Real ratio = N::real(g.h2 / g.stretched);
     return Real(k.norm) * (ratio * ratio) / max(g.visible, Real(1e-38));
@@ -68,7 +87,8 @@ struct Ggx {
 
   // L(w): the length of w with its tangential part scaled by the roughness.
   template <class N>
-  static GONIO_INLINE typename N::Real length(const Shape<typename N::WideScalar>& k, const Vec3<typename N::Real>& w) {
+  static GONIO_INLINE typename N::Real length(const Shape<typename N::WideScalar>& k,
+                                              const Vec3<typename N::Real>& w) {
     using Real = typename N::Real;
     using std::sqrt;
     return sqrt(Real(k.ax2) * (w.x * w.x) + Real(k.ay2) * (w.y * w.y) + w.z * w.z);

@@ -15,15 +15,20 @@
 namespace gonio {
 
 struct Lambertian {
-  static constexpr std::array kParameters{
-      Parameter{.name = "rd", .meaning = "diffuse albedo", .unit = "1", .lower = 0, .upper = 1, .start = 0.5, .kind = Kind::colour}};
+  static constexpr std::array kParameters{Parameter{.name = "rd",
+                                                    .meaning = "diffuse albedo",
+                                                    .unit = "1",
+                                                    .lower = 0,
+                                                    .upper = 1,
+                                                    .start = 0.5,
+                                                    .kind = Kind::colour}};
   static constexpr ModelDescription kDescription{.name = "lambertian",
                                                  .summary = "ideal diffuse reflection",
                                                  .source = "Lambert 1760, Photometria",
                                                  .role = Role::diffuse,
                                                  .parameters = kParameters,
-                                                 .fast = {2e-7},
-                                                 .reference = {1e-15}};
+                                                 .fast = {.relative = 2e-7},
+                                                 .reference = {.relative = 1e-15}};
   using Kinds = TypeList<Lambertian>;
 
   template <class S>
@@ -38,16 +43,25 @@ struct Lambertian {
   struct Terms {};
 
   template <class S>
-  static Shape<S> shape(const ParameterValues<S>&) { return {}; }
+  static Shape<S> shape(const ParameterValues<S>&) {
+    return {};
+  }
   template <class S>
-  static Channel<S> channel(const ParameterValues<S>& p, int c) { return {p.colour("rd", c) / S(3.14159265358979323846)}; }
+  static Channel<S> channel(const ParameterValues<S>& p, int c) {
+    return {p.colour("rd", c) / S(3.14159265358979323846)};
+  }
 
   template <class N>
-  static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>&, const Geometry<N>&) { return {}; }
+  static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>&, const Geometry<N>&) {
+    return {};
+  }
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>&, const Stage<N>&) { return {}; }
+  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>&, const Stage<N>&) {
+    return {};
+  }
   template <class N>
-  static GONIO_INLINE typename N::Real value(const Terms<N>&, const Channel<typename N::WideScalar>&,
+  static GONIO_INLINE typename N::Real value(const Terms<N>&,
+                                             const Channel<typename N::WideScalar>&,
                                              const Channel<typename N::RealScalar>& c) {
     return typename N::Real(c.value);
   }

@@ -1,5 +1,6 @@
-// The checked values of one lobe's parameters, by name, as a model's constants are prepared from them. S is double, or a
-// dual number where derivatives by the parameters are wanted. Every name of the model's table has a value.
+// The checked values of one lobe's parameters, by name, as a model's constants are prepared from
+// them. S is double, or a dual number where derivatives by the parameters are wanted. Every name of
+// the model's table has a value.
 #pragma once
 
 #include <cassert>
@@ -14,7 +15,9 @@ namespace gonio {
 template <class S>
 class ParameterValues {
  public:
-  void set(std::string_view name, std::vector<S> numbers) { numbers_[std::string(name)] = std::move(numbers); }
+  void set(std::string_view name, std::vector<S> numbers) {
+    numbers_[std::string(name)] = std::move(numbers);
+  }
 
   [[nodiscard]] S number(std::string_view name) const { return colour(name, 0); }
   // One number stands for all channels.

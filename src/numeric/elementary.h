@@ -14,10 +14,12 @@ GONIO_INLINE T polynomial(T x, const double (&c)[N]) {
   return sum;
 }
 
-// log2(1 + s/c) for s >= 0 and normal c > 0. Relative error 1e-9 (quick), 1e-15 (exact), down to s = 0.
+// log2(1 + s/c) for s >= 0 and normal c > 0. Relative error 1e-9 (quick), 1e-15 (exact), down to s
+// = 0.
 //
-// With k chosen so that (c + s) / (c 2^k) lies in [1/sqrt2, sqrt2], it is k plus the series of 2 artanh(z) / log 2,
-// z = (c + s - c 2^k) / (c + s + c 2^k). For k = 0 the numerator is s itself: nothing cancels.
+// With k chosen so that (c + s) / (c 2^k) lies in [1/sqrt2, sqrt2], it is k plus the series of 2
+// artanh(z) / log 2, z = (c + s - c 2^k) / (c + s + c 2^k). For k = 0 the numerator is s itself:
+// nothing cancels.
 template <Exactness E>
 GONIO_INLINE Double<E> log2_1p(Double<E> s, Double<E> c) {
   using D = Double<E>;
@@ -25,9 +27,10 @@ GONIO_INLINE Double<E> log2_1p(Double<E> s, Double<E> c) {
   // Minimax in z^2, relative error 7e-10; and Taylor's.
   static constexpr double kQuick[] = {kLog2E * 1.9999999986202206, kLog2E * 0.6666681604184228,
                                       kLog2E * 0.39974784613174996, kLog2E * 0.2992593099817825};
-  static constexpr double kExact[] = {kLog2E * 2,      kLog2E * 2 / 3,  kLog2E * 2 / 5,  kLog2E * 2 / 7,
-                                      kLog2E * 2 / 9,  kLog2E * 2 / 11, kLog2E * 2 / 13, kLog2E * 2 / 15,
-                                      kLog2E * 2 / 17, kLog2E * 2 / 19, kLog2E * 2 / 21};
+  static constexpr double kExact[] = {kLog2E * 2,      kLog2E * 2 / 3,  kLog2E * 2 / 5,
+                                      kLog2E * 2 / 7,  kLog2E * 2 / 9,  kLog2E * 2 / 11,
+                                      kLog2E * 2 / 13, kLog2E * 2 / 15, kLog2E * 2 / 17,
+                                      kLog2E * 2 / 19, kLog2E * 2 / 21};
   const D a = c + s;
   const D k = max(exponent(a * kSqrt2 * reciprocal_estimate(c)), D(0));
   const D b = scale(c, k);
@@ -39,7 +42,8 @@ GONIO_INLINE Double<E> log2_1p(Double<E> s, Double<E> c) {
   }
 }
 
-// amplitude * 2^x for x <= 0 and finite amplitude, without underflow before the product. Relative error 2e-7.
+// amplitude * 2^x for x <= 0 and finite amplitude, without underflow before the product. Relative
+// error 2e-7.
 GONIO_INLINE Float times_exp2(Float amplitude, Double<Exactness::quick> x) {
   // Minimax on [-1/2, 1/2], relative error 2e-9 before rounding to float.
   static constexpr double kExp2[] = {1,
@@ -55,7 +59,8 @@ GONIO_INLINE Float times_exp2(Float amplitude, Double<Exactness::quick> x) {
 }
 
 // The same in float64. Relative error 5e-16 (1 + |x|).
-GONIO_INLINE Double<Exactness::exact> times_exp2(Double<Exactness::exact> amplitude, Double<Exactness::exact> x) {
+GONIO_INLINE Double<Exactness::exact> times_exp2(Double<Exactness::exact> amplitude,
+                                                 Double<Exactness::exact> x) {
   using D = Double<Exactness::exact>;
   static constexpr double kExp[] = {1,
                                     1,
@@ -77,14 +82,16 @@ GONIO_INLINE Double<Exactness::exact> times_exp2(Double<Exactness::exact> amplit
   return select(D(-1000) < x, result, D(0));
 }
 
-// The angle of (x, y) for x, y >= 0, in [0, pi/2]; 0 for (0, 0). Error 1e-10 (quick), 3e-16 (exact).
+// The angle of (x, y) for x, y >= 0, in [0, pi/2]; 0 for (0, 0). Error 1e-10 (quick), 3e-16
+// (exact).
 //
-// The smaller over the larger component is brought within tan(pi/16) of one of the angles 0, pi/8, pi/4.
+// The smaller over the larger component is brought within tan(pi/16) of one of the angles 0, pi/8,
+// pi/4.
 template <Exactness E>
 GONIO_INLINE Double<E> first_quadrant_angle(Double<E> y, Double<E> x) {
   using D = Double<E>;
   static constexpr double kQuick[] = {1, -1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9, -1.0 / 11};
-  static constexpr double kExact[] = {1,         -1.0 / 3, 1.0 / 5,   -1.0 / 7, 1.0 / 9,  -1.0 / 11,
+  static constexpr double kExact[] = {1,        -1.0 / 3,  1.0 / 5,  -1.0 / 7,  1.0 / 9, -1.0 / 11,
                                       1.0 / 13, -1.0 / 15, 1.0 / 17, -1.0 / 19, 1.0 / 21};
   constexpr double kPi = 3.14159265358979323846;
   const D small = min(y, x), large = max(max(y, x), D(0x1p-1000));

@@ -1,5 +1,6 @@
 // Raw vector operations, AVX2 with FMA: 8 floats in one register, 8 doubles in two.
-// The same names stand in isa_avx512.h and isa_baseline.h; packet.h builds the number types on them.
+// The same names stand in isa_avx512.h and isa_baseline.h; packet.h builds the number types on
+// them.
 #pragma once
 
 #include <immintrin.h>
@@ -26,14 +27,17 @@ GONIO_INLINE F max(F a, F b) { return _mm256_max_ps(a, b); }
 GONIO_INLINE D max(D a, D b) { return _mm256_max_pd(a, b); }
 GONIO_INLINE F sqrt(F x) { return _mm256_sqrt_ps(x); }
 GONIO_INLINE D sqrt(D x) { return _mm256_sqrt_pd(x); }
-GONIO_INLINE D round(D x) { return _mm256_round_pd(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
+GONIO_INLINE D round(D x) {
+  return _mm256_round_pd(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+}
 GONIO_INLINE D floor(D x) { return _mm256_floor_pd(x); }
 
 // There is no estimate in double here; a division is exact and quick enough.
 GONIO_INLINE D reciprocal_estimate(D x) { return _mm256_set1_pd(1) / x; }
 GONIO_INLINE D reciprocal_fast(D x) { return _mm256_set1_pd(1) / x; }
 
-// floor(log2 x) for normal x > 0: the exponent bits, made a double by a constant whose last bit is worth one.
+// floor(log2 x) for normal x > 0: the exponent bits, made a double by a constant whose last bit is
+// worth one.
 GONIO_INLINE D exponent(D x) {
   const __m256i biased = _mm256_srli_epi64(_mm256_castpd_si256(x), 52);
   const __m256i magic = _mm256_set1_epi64x(0x4330000000000000);  // 2^52
@@ -49,7 +53,8 @@ GONIO_INLINE F scale_once(F x, F k) {
   const __m256i biased = _mm256_add_epi32(_mm256_cvtps_epi32(k), _mm256_set1_epi32(127));
   return x * _mm256_castsi256_ps(_mm256_slli_epi32(biased, 23));
 }
-// x * 2^k for whole k in [-378, 127]: three steps, so that a large x meets a small 2^k without underflow.
+// x * 2^k for whole k in [-378, 127]: three steps, so that a large x meets a small 2^k without
+// underflow.
 GONIO_INLINE F scale(F x, F k) {
   const F low = max(k, broadcast(-126.0F));
   const F rest = k - low;
@@ -82,7 +87,9 @@ GONIO_INLINE M less(D alo, D ahi, D blo, D bhi) {
 }
 GONIO_INLINE M mask_and(M a, M b) { return _mm256_and_ps(a, b); }
 GONIO_INLINE M mask_or(M a, M b) { return _mm256_or_ps(a, b); }
-GONIO_INLINE M mask_not(M a) { return _mm256_xor_ps(a, _mm256_castsi256_ps(_mm256_set1_epi32(-1))); }
+GONIO_INLINE M mask_not(M a) {
+  return _mm256_xor_ps(a, _mm256_castsi256_ps(_mm256_set1_epi32(-1)));
+}
 GONIO_INLINE unsigned bits(M m) { return static_cast<unsigned>(_mm256_movemask_ps(m)); }
 
 GONIO_INLINE F select(M m, F a, F b) { return _mm256_blendv_ps(b, a, m); }

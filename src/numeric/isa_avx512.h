@@ -26,8 +26,12 @@ GONIO_INLINE F max(F a, F b) { return _mm512_max_ps(a, b); }
 GONIO_INLINE D max(D a, D b) { return _mm512_max_pd(a, b); }
 GONIO_INLINE F sqrt(F x) { return _mm512_sqrt_ps(x); }
 GONIO_INLINE D sqrt(D x) { return _mm512_sqrt_pd(x); }
-GONIO_INLINE D round(D x) { return _mm512_roundscale_pd(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
-GONIO_INLINE D floor(D x) { return _mm512_roundscale_pd(x, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC); }
+GONIO_INLINE D round(D x) {
+  return _mm512_roundscale_pd(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+}
+GONIO_INLINE D floor(D x) {
+  return _mm512_roundscale_pd(x, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
+}
 
 // 1/x to 14 bits, for normal x.
 GONIO_INLINE D reciprocal_estimate(D x) { return _mm512_rcp14_pd(x); }
@@ -58,7 +62,8 @@ GONIO_INLINE F narrow(D lo, D hi) {
 
 GONIO_INLINE M less(F a, F b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
 GONIO_INLINE M less(D alo, D ahi, D blo, D bhi) {
-  return _mm512_kunpackb(_mm512_cmp_pd_mask(ahi, bhi, _CMP_LT_OQ), _mm512_cmp_pd_mask(alo, blo, _CMP_LT_OQ));
+  return _mm512_kunpackb(_mm512_cmp_pd_mask(ahi, bhi, _CMP_LT_OQ),
+                         _mm512_cmp_pd_mask(alo, blo, _CMP_LT_OQ));
 }
 GONIO_INLINE M mask_and(M a, M b) { return _kand_mask16(a, b); }
 GONIO_INLINE M mask_or(M a, M b) { return _kor_mask16(a, b); }

@@ -41,7 +41,8 @@ GONIO_INLINE D floor(D x) {
 GONIO_INLINE D reciprocal_estimate(D x) { return _mm_set1_pd(1) / x; }
 GONIO_INLINE D reciprocal_fast(D x) { return _mm_set1_pd(1) / x; }
 
-// floor(log2 x) for normal x > 0: the exponent bits, made a double by a constant whose last bit is worth one.
+// floor(log2 x) for normal x > 0: the exponent bits, made a double by a constant whose last bit is
+// worth one.
 GONIO_INLINE D exponent(D x) {
   const __m128i biased = _mm_srli_epi64(_mm_castpd_si128(x), 52);
   const __m128i magic = _mm_set1_epi64x(0x4330000000000000);  // 2^52
@@ -57,7 +58,8 @@ GONIO_INLINE F scale_once(F x, F k) {
   const __m128i biased = _mm_add_epi32(_mm_cvtps_epi32(k), _mm_set1_epi32(127));
   return x * _mm_castsi128_ps(_mm_slli_epi32(biased, 23));
 }
-// x * 2^k for whole k in [-378, 127]: three steps, so that a large x meets a small 2^k without underflow.
+// x * 2^k for whole k in [-378, 127]: three steps, so that a large x meets a small 2^k without
+// underflow.
 GONIO_INLINE F scale(F x, F k) {
   const F low = max(k, broadcast(-126.0F));
   const F rest = k - low;
@@ -75,7 +77,8 @@ GONIO_INLINE F narrow(D lo, D hi) { return _mm_movelh_ps(_mm_cvtpd_ps(lo), _mm_c
 
 GONIO_INLINE M less(F a, F b) { return _mm_cmplt_ps(a, b); }
 GONIO_INLINE M less(D alo, D ahi, D blo, D bhi) {
-  return _mm_shuffle_ps(_mm_castpd_ps(_mm_cmplt_pd(alo, blo)), _mm_castpd_ps(_mm_cmplt_pd(ahi, bhi)), 0x88);
+  return _mm_shuffle_ps(_mm_castpd_ps(_mm_cmplt_pd(alo, blo)),
+                        _mm_castpd_ps(_mm_cmplt_pd(ahi, bhi)), 0x88);
 }
 GONIO_INLINE M mask_and(M a, M b) { return _mm_and_ps(a, b); }
 GONIO_INLINE M mask_or(M a, M b) { return _mm_or_ps(a, b); }
@@ -83,7 +86,9 @@ GONIO_INLINE M mask_not(M a) { return _mm_xor_ps(a, _mm_castsi128_ps(_mm_set1_ep
 GONIO_INLINE unsigned bits(M m) { return static_cast<unsigned>(_mm_movemask_ps(m)); }
 
 GONIO_INLINE F select(M m, F a, F b) { return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b)); }
-GONIO_INLINE D select_half(D m, D a, D b) { return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b)); }
+GONIO_INLINE D select_half(D m, D a, D b) {
+  return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b));
+}
 GONIO_INLINE void select(M m, D& lo, D& hi, D blo, D bhi) {
   lo = select_half(_mm_castps_pd(_mm_unpacklo_ps(m, m)), lo, blo);
   hi = select_half(_mm_castps_pd(_mm_unpackhi_ps(m, m)), hi, bhi);

@@ -1,7 +1,8 @@
 // Number systems: what a model's template is instantiated with.
 //
 // A number system N offers
-//   N::Wide, N::Real   the types of geometry (float64 packets, or the scalar) and of colours and results (float32 packets
+//   N::Wide, N::Real   the types of geometry (float64 packets, or the scalar) and of colours and
+//   results (float32 packets
 //                      for Fast, else as Wide), both with + - * / < min max select
 //   N::Mask            the result of a comparison
 //   N::WideScalar, N::RealScalar   the types of a material's constants that go with them
@@ -21,7 +22,8 @@
 
 namespace gonio {
 
-// Scalars: double, long double or dual numbers. The product's own truth, and the fitter's derivatives.
+// Scalars: double, long double or dual numbers. The product's own truth, and the fitter's
+// derivatives.
 template <class T>
 struct Plain {
   using WideScalar = T;
@@ -83,7 +85,9 @@ struct Fast {
     return polynomial(e, kSeries);
   }
   static GONIO_INLINE Wide log2_1p(Wide s, Wide c) { return GONIO_ISA::log2_1p(s, c); }
-  static GONIO_INLINE Real times_exp2(Real amplitude, Wide x) { return GONIO_ISA::times_exp2(amplitude, x); }
+  static GONIO_INLINE Real times_exp2(Real amplitude, Wide x) {
+    return GONIO_ISA::times_exp2(amplitude, x);
+  }
 };
 
 // float64 throughout.
@@ -101,7 +105,9 @@ struct Reference {
   static GONIO_INLINE Real root(Wide w) { return sqrt(w); }
   static GONIO_INLINE Wide inverse_length(Wide e) { return Wide(1) / sqrt(Wide(1) + e); }
   static GONIO_INLINE Wide log2_1p(Wide s, Wide c) { return GONIO_ISA::log2_1p(s, c); }
-  static GONIO_INLINE Real times_exp2(Real amplitude, Wide x) { return GONIO_ISA::times_exp2(amplitude, x); }
+  static GONIO_INLINE Real times_exp2(Real amplitude, Wide x) {
+    return GONIO_ISA::times_exp2(amplitude, x);
+  }
 };
 
 }  // namespace gonio::GONIO_ISA

@@ -1,9 +1,10 @@
 // Packets: as many lanes as the instruction set has floats in a register, as float32 or as float64.
 //
-// They behave like numbers (+ - * /, comparisons, select instead of ?:), so that a formula is written once for packets,
-// scalars and dual numbers. Double<Exactness> comes in two kinds: `exact` divides correctly rounded; `quick` divides to
-// 2^-42, and its elementary functions are good to 1e-9, which is what float32 results need.
-// Compiled once per instruction set, in the namespace of GONIO_ISA.
+// They behave like numbers (+ - * /, comparisons, select instead of ?:), so that a formula is
+// written once for packets, scalars and dual numbers. Double<Exactness> comes in two kinds: `exact`
+// divides correctly rounded; `quick` divides to 2^-42, and its elementary functions are good to
+// 1e-9, which is what float32 results need. Compiled once per instruction set, in the namespace of
+// GONIO_ISA.
 #pragma once
 
 #include "numeric/inline.h"
@@ -34,7 +35,8 @@ struct Float {
   raw::F v;
   GONIO_INLINE Float() : v{} {}
   GONIO_INLINE explicit Float(raw::F x) : v(x) {}
-  GONIO_INLINE Float(double x) : v(raw::broadcast(static_cast<float>(x))) {}  // NOLINT: formulas mix in numbers
+  GONIO_INLINE Float(double x)
+      : v(raw::broadcast(static_cast<float>(x))) {}  // NOLINT: formulas mix in numbers
 
   static GONIO_INLINE Float load(const float* p) { return Float(raw::load(p)); }
   GONIO_INLINE void store(float* p) const { raw::store(p, v); }
@@ -49,7 +51,9 @@ struct Float {
   friend GONIO_INLINE Float min(Float a, Float b) { return Float(raw::min(a.v, b.v)); }
   friend GONIO_INLINE Float max(Float a, Float b) { return Float(raw::max(a.v, b.v)); }
   friend GONIO_INLINE Float sqrt(Float a) { return Float(raw::sqrt(a.v)); }
-  friend GONIO_INLINE Float select(Mask m, Float a, Float b) { return Float(raw::select(m.m, a.v, b.v)); }
+  friend GONIO_INLINE Float select(Mask m, Float a, Float b) {
+    return Float(raw::select(m.m, a.v, b.v));
+  }
 };
 
 enum class Exactness { quick, exact };
@@ -59,7 +63,8 @@ struct Double {
   raw::D lo, hi;
   GONIO_INLINE Double() : lo{}, hi{} {}
   GONIO_INLINE Double(raw::D l, raw::D h) : lo(l), hi(h) {}
-  GONIO_INLINE Double(double x) : lo(raw::broadcast(x)), hi(lo) {}  // NOLINT: formulas mix in numbers
+  GONIO_INLINE Double(double x)
+      : lo(raw::broadcast(x)), hi(lo) {}  // NOLINT: formulas mix in numbers
   GONIO_INLINE explicit Double(Float x) { raw::widen(x.v, lo, hi); }
 
   static GONIO_INLINE Double load(const float* p) {
@@ -67,8 +72,12 @@ struct Double {
     raw::load_widened(p, x.lo, x.hi);
     return x;
   }
-  static GONIO_INLINE Double load(const double* p) { return {raw::load(p), raw::load(p + raw::kWidth / 2)}; }
-  GONIO_INLINE void store(double* p) const { raw::store(p, lo), raw::store(p + raw::kWidth / 2, hi); }
+  static GONIO_INLINE Double load(const double* p) {
+    return {raw::load(p), raw::load(p + raw::kWidth / 2)};
+  }
+  GONIO_INLINE void store(double* p) const {
+    raw::store(p, lo), raw::store(p + raw::kWidth / 2, hi);
+  }
 
   friend GONIO_INLINE Double operator+(Double a, Double b) { return {a.lo + b.lo, a.hi + b.hi}; }
   friend GONIO_INLINE Double operator-(Double a, Double b) { return {a.lo - b.lo, a.hi - b.hi}; }
@@ -81,10 +90,16 @@ struct Double {
       return {a.lo * raw::reciprocal_fast(b.lo), a.hi * raw::reciprocal_fast(b.hi)};
     }
   }
-  friend GONIO_INLINE Mask operator<(Double a, Double b) { return {raw::less(a.lo, a.hi, b.lo, b.hi)}; }
+  friend GONIO_INLINE Mask operator<(Double a, Double b) {
+    return {raw::less(a.lo, a.hi, b.lo, b.hi)};
+  }
   friend GONIO_INLINE Mask operator>(Double a, Double b) { return b < a; }
-  friend GONIO_INLINE Double min(Double a, Double b) { return {raw::min(a.lo, b.lo), raw::min(a.hi, b.hi)}; }
-  friend GONIO_INLINE Double max(Double a, Double b) { return {raw::max(a.lo, b.lo), raw::max(a.hi, b.hi)}; }
+  friend GONIO_INLINE Double min(Double a, Double b) {
+    return {raw::min(a.lo, b.lo), raw::min(a.hi, b.hi)};
+  }
+  friend GONIO_INLINE Double max(Double a, Double b) {
+    return {raw::max(a.lo, b.lo), raw::max(a.hi, b.hi)};
+  }
   friend GONIO_INLINE Double sqrt(Double a) { return {raw::sqrt(a.lo), raw::sqrt(a.hi)}; }
   friend GONIO_INLINE Double round(Double a) { return {raw::round(a.lo), raw::round(a.hi)}; }
   friend GONIO_INLINE Double floor(Double a) { return {raw::floor(a.lo), raw::floor(a.hi)}; }
@@ -97,11 +112,17 @@ struct Double {
     return {raw::reciprocal_estimate(a.lo), raw::reciprocal_estimate(a.hi)};
   }
   // floor(log2 x) for normal x > 0, and x * 2^k for whole k.
-  friend GONIO_INLINE Double exponent(Double a) { return {raw::exponent(a.lo), raw::exponent(a.hi)}; }
-  friend GONIO_INLINE Double scale(Double a, Double k) { return {raw::scale(a.lo, k.lo), raw::scale(a.hi, k.hi)}; }
+  friend GONIO_INLINE Double exponent(Double a) {
+    return {raw::exponent(a.lo), raw::exponent(a.hi)};
+  }
+  friend GONIO_INLINE Double scale(Double a, Double k) {
+    return {raw::scale(a.lo, k.lo), raw::scale(a.hi, k.hi)};
+  }
   friend GONIO_INLINE Float narrow(Double a) { return Float(raw::narrow(a.lo, a.hi)); }
   // table[index], lane by lane; the index is a whole number.
-  friend GONIO_INLINE Float gather(const float* table, Double i) { return Float(raw::gather(table, i.lo, i.hi)); }
+  friend GONIO_INLINE Float gather(const float* table, Double i) {
+    return Float(raw::gather(table, i.lo, i.hi));
+  }
 };
 
 GONIO_INLINE Float scale(Float a, Float k) { return Float(raw::scale(a.v, k.v)); }

@@ -1,8 +1,9 @@
 // Fresnel reflectance, as a part that microfacet models share.
 //
-// Each kind offers Channel<S> (its constants of one colour channel), Stage<N> and Terms<N> (what depends on the directions
-// only, in two steps as in lobe.h) and reflectance<N>(terms, channel). All take cos(theta_d) = h.k, the angle at the microfacet, never n.k.
-// Sources: Schlick 1994, eq. 15; Born & Wolf, "Principles of Optics", 1.5.2 and 14.2.
+// Each kind offers Channel<S> (its constants of one colour channel), Stage<N> and Terms<N> (what
+// depends on the directions only, in two steps as in lobe.h) and reflectance<N>(terms, channel).
+// All take cos(theta_d) = h.k, the angle at the microfacet, never n.k. Sources: Schlick 1994, eq.
+// 15; Born & Wolf, "Principles of Optics", 1.5.2 and 14.2.
 #pragma once
 
 #include <array>
@@ -16,13 +17,15 @@
 
 namespace gonio::fresnel {
 
-inline constexpr std::array<std::string_view, 4> kWords{"none", "schlick", "dielectric", "conductor"};
+inline constexpr std::array<std::string_view, 4> kWords{"none", "schlick", "dielectric",
+                                                        "conductor"};
 
-inline constexpr Parameter kKind{.name = "fresnel",
-                                 .meaning = "reflectance of a microfacet; if not given, it follows from f0, eta and k",
-                                 .unit = "1",
-                                 .kind = Kind::word,
-                                 .words = kWords};
+inline constexpr Parameter kKind{
+    .name = "fresnel",
+    .meaning = "reflectance of a microfacet; if not given, it follows from f0, eta and k",
+    .unit = "1",
+    .kind = Kind::word,
+    .words = kWords};
 inline constexpr Parameter kF0{.name = "f0",
                                .meaning = "reflectance at normal incidence, for schlick",
                                .unit = "1",
@@ -30,14 +33,15 @@ inline constexpr Parameter kF0{.name = "f0",
                                .upper = 1,
                                .start = 0.04,
                                .kind = Kind::colour};
-inline constexpr Parameter kEta{.name = "eta",
-                                .meaning = "refractive index relative to the outside, for dielectric and conductor",
-                                .unit = "1",
-                                .lower = 0.01,
-                                .upper = 100,
-                                .start = 1.5,
-                                .scale = Scale::logarithmic,
-                                .kind = Kind::colour};
+inline constexpr Parameter kEta{
+    .name = "eta",
+    .meaning = "refractive index relative to the outside, for dielectric and conductor",
+    .unit = "1",
+    .lower = 0.01,
+    .upper = 100,
+    .start = 1.5,
+    .scale = Scale::logarithmic,
+    .kind = Kind::colour};
 inline constexpr Parameter kK{.name = "k",
                               .meaning = "extinction coefficient, for conductor",
                               .unit = "1",
@@ -51,17 +55,24 @@ struct None {
   template <class S>
   struct Channel {};
   template <class S>
-  static Channel<S> channel(const ParameterValues<S>&, int) { return {}; }
+  static Channel<S> channel(const ParameterValues<S>&, int) {
+    return {};
+  }
   template <class N>
   struct Stage {};
   template <class N>
   struct Terms {};
   template <class N>
-  static GONIO_INLINE Stage<N> stage(const Geometry<N>&) { return {}; }
+  static GONIO_INLINE Stage<N> stage(const Geometry<N>&) {
+    return {};
+  }
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Stage<N>&) { return {}; }
+  static GONIO_INLINE Terms<N> terms(const Stage<N>&) {
+    return {};
+  }
   template <class N>
-  static GONIO_INLINE typename N::Real reflectance(const Terms<N>&, const Channel<typename N::WideScalar>&,
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>&,
+                                                   const Channel<typename N::WideScalar>&,
                                                    const Channel<typename N::RealScalar>&) {
     return 1;
   }
@@ -74,7 +85,7 @@ struct Schlick {
     S f0, rest;  // f0 and 1 - f0
   };
   template <class S>
-  static Channel<S> channel(const ParameterValues<S>& p, int c) { 
+  static Channel<S> channel(const ParameterValues<S>& p, int c) {
     const S f0 = p.colour("f0", c);
     return {f0, S(1) - f0};
   }
@@ -87,19 +98,26 @@ struct Schlick {
     typename N::Real w5;
   };
   template <class N>
-  static GONIO_INLINE Stage<N> stage(const Geometry<N>& g) { return {g.one_minus(g.cos_d())}; }
+  static GONIO_INLINE Stage<N> stage(const Geometry<N>& g) {
+    return {g.one_minus(g.cos_d())};
+  }
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Stage<N>& g) { return {(g.w * g.w) * (g.w * g.w) * g.w}; }
+  static GONIO_INLINE Terms<N> terms(const Stage<N>& g) {
+    return {(g.w * g.w) * (g.w * g.w) * g.w};
+  }
   template <class N>
-  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::WideScalar>&,
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t,
+                                                   const Channel<typename N::WideScalar>&,
                                                    const Channel<typename N::RealScalar>& c) {
     using Real = typename N::Real;
     return Real(c.f0) + Real(c.rest) * t.w5;
   }
 };
 
-// Exact unpolarised reflectance of a dielectric. With c = h.k and g^2 = eta^2 - 1 + c^2, the s and p amplitudes are
-// written with the factor eta^2 - 1 taken out, so that nothing cancels as eta tends to 1; g^2 <= 0 reflects all.
+// Exact unpolarised reflectance of a dielectric. With c = h.k and g^2 = eta^2 - 1 + c^2, the s and
+// p amplitudes are written with the factor eta^2 - 1 taken out, so that nothing cancels as eta
+// tends to 1; g^2 <= 0 reflects all. g^2 itself comes from the smaller of c^2 and s^2 = 1 - c^2,
+// which has the more digits.
 struct Dielectric {
   template <class S>
   struct Channel {
@@ -113,23 +131,28 @@ struct Dielectric {
   }
   template <class N>
   struct Stage {
-    typename N::Wide c2;
+    typename N::Wide c2, s2;
   };
   template <class N>
   struct Terms {
-    typename N::Wide c2;
+    typename N::Wide c2, s2;
     typename N::Real c;
   };
   template <class N>
-  static GONIO_INLINE Stage<N> stage(const Geometry<N>& g) { return {g.cos2_d()}; }
+  static GONIO_INLINE Stage<N> stage(const Geometry<N>& g) {
+    return {g.cos2_d(), g.sin2_d()};
+  }
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Stage<N>& g) { return {g.c2, N::root(g.c2)}; }
+  static GONIO_INLINE Terms<N> terms(const Stage<N>& g) {
+    return {g.c2, g.s2, N::root(g.c2)};
+  }
   template <class N>
-  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::WideScalar>& k,
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t,
+                                                   const Channel<typename N::WideScalar>& k,
                                                    const Channel<typename N::RealScalar>& real) {
     using Real = typename N::Real;
     using Wide = typename N::Wide;
-    const Wide g2 = Wide(k.eta2_minus_one) + t.c2;
+    const Wide g2 = select(t.c2 < t.s2, Wide(k.eta2_minus_one) + t.c2, Wide(k.eta2) - t.s2);
     const Real g = N::root(max(g2, Wide(0)));
     const Real difference(real.eta2_minus_one), eta2(real.eta2);
     const Real sum = max(t.c + g, Real(1e-18));  // its square stays representable
@@ -141,39 +164,45 @@ struct Dielectric {
   }
 };
 
-// Exact unpolarised reflectance of a conductor with index eta + i k, in the wide type: a - c cancels for weak absorbers.
+// Exact unpolarised reflectance of a conductor with index eta + i k, in the wide type: a - c
+// cancels for weak absorbers.
 struct Conductor {
   template <class S>
   struct Channel {
-    S offset;     // eta^2 - k^2 - 1
-    S two_eta_k;  // 2 eta k
+    S difference;  // eta^2 - k^2
+    S offset;      // eta^2 - k^2 - 1
+    S two_eta_k;   // 2 eta k
   };
   template <class S>
   static Channel<S> channel(const ParameterValues<S>& p, int c) {
     const S eta = p.colour("eta", c), k = p.colour("k", c);
-    return {(eta - S(1)) * (eta + S(1)) - k * k, S(2) * eta * k};
+    return {eta * eta - k * k, (eta - S(1)) * (eta + S(1)) - k * k, S(2) * eta * k};
   }
   template <class N>
   struct Stage {
-    typename N::Wide c2;
+    typename N::Wide c2, s2;
   };
   template <class N>
   struct Terms {
     typename N::Wide c2, s2, c;
   };
   template <class N>
-  static GONIO_INLINE Stage<N> stage(const Geometry<N>& g) { return {g.cos2_d()}; }
+  static GONIO_INLINE Stage<N> stage(const Geometry<N>& g) {
+    return {g.cos2_d(), g.sin2_d()};
+  }
   template <class N>
   static GONIO_INLINE Terms<N> terms(const Stage<N>& g) {
     using std::sqrt;
-    return {g.c2, typename N::Wide(1) - g.c2, sqrt(g.c2)};
+    return {g.c2, g.s2, sqrt(g.c2)};
   }
   template <class N>
-  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t, const Channel<typename N::WideScalar>& k,
+  static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t,
+                                                   const Channel<typename N::WideScalar>& k,
                                                    const Channel<typename N::RealScalar>&) {
     using Wide = typename N::Wide;
-    const Wide real_part = Wide(k.offset) + t.c2;  // eta^2 - k^2 - sin^2
-    const Wide modulus = sqrt(real_part * real_part + Wide(k.two_eta_k * k.two_eta_k));  // a^2 + b^2
+    const Wide real_part = select(t.c2 < t.s2, Wide(k.offset) + t.c2, Wide(k.difference) - t.s2);
+    const Wide modulus =
+        sqrt(real_part * real_part + Wide(k.two_eta_k * k.two_eta_k));  // a^2 + b^2
     // The larger of a^2, b^2 is a sum; the other follows from a b = eta k.
     const Wide larger = max(Wide(0.5) * (modulus + max(real_part, -real_part)), Wide(1e-300));
     const Wide smaller = Wide(0.25 * k.two_eta_k * k.two_eta_k) / larger;

@@ -1,8 +1,14 @@
 // What every model reads of a pair of directions, in the local frame with normal (0,0,1).
 //
-// Directions come in up to 1e-3 off unit length and are normalised here. What cancels is formed in the wide type: near the
-// mirror direction H.x and H.y are small differences of large numbers, near retro-reflection wi - wo is. The half-vector
-// is kept unnormalised, H = wi + wo. What only multiplies (the cosines) is formed in the real type.
+// Directions come in up to 1e-3 off unit length and are normalised here. What cancels is formed in
+// the wide type: near the mirror direction H.x and H.y are small differences of large numbers, near
+// retro-reflection wi - wo is. The half-vector is kept unnormalised, H = wi + wo. What only
+// multiplies (the cosines) is formed in the real type.
+//
+// Where wi is nearly -wo, H is what is left of two vectors that have just been rounded. Where
+// errors of 1e-14 count it is therefore formed from the directions a and b as given, whose sum is
+// exact: a/|a| + b/|b| = (a + b)/|a| + (1/|b| - 1/|a|) b, the difference of the inverse lengths
+// following from |a|^2 - |b|^2 = (a - b).(a + b).
 #pragma once
 
 #include "numeric/inline.h"
@@ -14,7 +20,8 @@ namespace gonio {
 inline constexpr double kLengthTolerance = 1e-3;
 
 template <class N>
-struct Geometry {
+class Geometry {
+ public:
   using Wide = typename N::Wide;
   using Real = typename N::Real;
 
@@ -23,8 +30,20 @@ struct Geometry {
   typename N::Mask valid;       // both finite, within the tolerance and above the horizon
 
   // The directions as given, in both types.
-  GONIO_INLINE Geometry(const Vec3<Wide>& wide_i, const Vec3<Wide>& wide_o, const Vec3<Real>& given_i, const Vec3<Real>& given_o)
-      : wi(N::inverse_length(length_error(wide_i)) * wide_i), wo(N::inverse_length(length_error(wide_o)) * wide_o) {
+  GONIO_INLINE Geometry(const Vec3<Wide>& wide_i, const Vec3<Wide>& wide_o,
+                        const Vec3<Real>& given_i, const Vec3<Real>& given_o) {
+    const Wide inverse_i = N::inverse_length(length_error(wide_i)),
+               inverse_o = N::inverse_length(length_error(wide_o));
+    wi = inverse_i * wide_i;
+    wo = inverse_o * wide_o;
+    if constexpr (N::kQuick) {
+      h_ = wi + wo;
+    } else {
+      const Vec3<Wide> sum = wide_i + wide_o;
+      const Wide excess = dot(wide_i - wide_o, sum);  // |a|^2 - |b|^2
+      const Wide product = inverse_i * inverse_o;
+      h_ = inverse_i * sum + (excess * (product * product / (inverse_i + inverse_o))) * wide_o;
+    }
     const Real error_i = length_error(given_i), error_o = length_error(given_o);
     real_wi = N::inverse_length(error_i) * given_i;
     real_wo = N::inverse_length(error_o) * given_o;
@@ -34,7 +53,9 @@ struct Geometry {
 
   // |k|^2 - 1 without losing the small difference.
   template <class T>
-  static GONIO_INLINE T length_error(const Vec3<T>& k) { return (k.z * k.z - T(1)) + k.x * k.x + k.y * k.y; }
+  static GONIO_INLINE T length_error(const Vec3<T>& k) {
+    return (k.z * k.z - T(1)) + k.x * k.x + k.y * k.y;
+  }
 
   // Whether e = |k|^2 - 1 lies between (1 - tol)^2 - 1 and (1 + tol)^2 - 1; false for NaN.
   static GONIO_INLINE typename N::Mask near_unit(Real e) {
@@ -45,24 +66,27 @@ struct Geometry {
   GONIO_INLINE Real cos_i() const { return real_wi.z; }
   GONIO_INLINE Real cos_o() const { return real_wo.z; }
 
-  GONIO_INLINE Vec3<Wide> h() const { return wi + wo; }  // H, not normalised
-  GONIO_INLINE Wide h_length2() const {                   // |H|^2 = 4 cos^2(theta_d)
+  GONIO_INLINE Vec3<Wide> h() const { return h_; }  // H, not normalised
+  GONIO_INLINE Wide h_length2() const {             // |H|^2 = 4 cos^2(theta_d)
     const Vec3<Wide> v = h();
     return dot(v, v);
   }
   GONIO_INLINE Wide cos2_d() const { return min(h_length2() * Wide(0.25), Wide(1)); }  // (h.k)^2
   GONIO_INLINE Real cos_d() const { return N::root(cos2_d()); }                        // h.k
-  // 1 - h.k, given h.k: sin^2(theta_d) / (1 + h.k). The sine is |wi - wo| / 2 where its last digits count.
-  GONIO_INLINE Real one_minus(Real cos_d) const {
-    Wide sin2_d;
+  // sin^2(theta_d): |wi - wo|^2 / 4 where its last digits count.
+  GONIO_INLINE Wide sin2_d() const {
     if constexpr (N::kQuick) {
-      sin2_d = Wide(1) - cos2_d();
+      return Wide(1) - cos2_d();
     } else {
       const Vec3<Wide> d = wi - wo;
-      sin2_d = dot(d, d) * Wide(0.25);
+      return dot(d, d) * Wide(0.25);
     }
-    return N::real(sin2_d) / (Real(1) + cos_d);
   }
+  // 1 - h.k, given h.k.
+  GONIO_INLINE Real one_minus(Real cos_d) const { return N::real(sin2_d()) / (Real(1) + cos_d); }
+
+ private:
+  Vec3<Wide> h_;
 };
 
 }  // namespace gonio

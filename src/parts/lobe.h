@@ -1,6 +1,7 @@
 // A specular lobe: amplitude(wi, wo) * F(h.k) * scale, the frame that the microfacet models share.
 //
-// Shape gives the amplitude (once for all channels); Fresnel and the colour scale differ by channel.
+// Shape gives the amplitude (once for all channels); Fresnel and the colour scale differ by
+// channel.
 #pragma once
 
 #include "models/parameter_values.h"
@@ -42,32 +43,41 @@ struct Lobe {
   };
 
   template <class S>
-  static Shape<S> shape(const ParameterValues<S>& p) { return Model::shape(p); }
+  static Shape<S> shape(const ParameterValues<S>& p) {
+    return Model::shape(p);
+  }
 
   template <class S>
-  static Channel<S> channel(const ParameterValues<S>& p, int c) { return {p.colour("scale", c), Fresnel::channel(p, c)}; }
+  static Channel<S> channel(const ParameterValues<S>& p, int c) {
+    return {p.colour("scale", c), Fresnel::channel(p, c)};
+  }
 
   template <class N>
-  static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>& shape, const Geometry<N>& g) {
+  static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>& shape,
+                                     const Geometry<N>& g) {
     return {Model::template stage<N>(shape, g), Fresnel::template stage<N>(g)};
   }
 
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>& shape, const Stage<N>& stage) {
-    return {min(N::largest(), Model::template amplitude<N>(shape, stage.model)), Fresnel::template terms<N>(stage.fresnel)};
+  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>& shape,
+                                     const Stage<N>& stage) {
+    return {min(N::largest(), Model::template amplitude<N>(shape, stage.model)),
+            Fresnel::template terms<N>(stage.fresnel)};
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real value(const Terms<N>& t, const Channel<typename N::WideScalar>& wide,
+  static GONIO_INLINE typename N::Real value(const Terms<N>& t,
+                                             const Channel<typename N::WideScalar>& wide,
                                              const Channel<typename N::RealScalar>& real) {
     using Real = typename N::Real;
-    return t.amplitude * (Real(real.scale) * Fresnel::template reflectance<N>(t.fresnel, wide.fresnel, real.fresnel));
+    return t.amplitude * (Real(real.scale) *
+                          Fresnel::template reflectance<N>(t.fresnel, wide.fresnel, real.fresnel));
   }
 };
 
 // The kinds of a microfacet model, in the order of fresnel::kWords.
 template <class Model>
-using FresnelKinds = TypeList<Lobe<Model, fresnel::None>, Lobe<Model, fresnel::Schlick>, Lobe<Model, fresnel::Dielectric>,
-                              Lobe<Model, fresnel::Conductor>>;
+using FresnelKinds = TypeList<Lobe<Model, fresnel::None>, Lobe<Model, fresnel::Schlick>,
+                              Lobe<Model, fresnel::Dielectric>, Lobe<Model, fresnel::Conductor>>;
 
 }  // namespace gonio

@@ -168,6 +168,19 @@ TEST_F(Retry, BadChunkIsAnErrorWithItsDetails) {
   EXPECT_EQ(service().streams, 1);
 }
 
+// Chunks this large are sent from the caller's memory: the call ends only when gRPC has given all
+// of it back.
+TEST_F(Retry, BadChunkOfLentMemoryDoesNotHang) {
+  service().chunk_failures = 1;
+  service().chunk_error.set_code(grpc::StatusCode::INVALID_ARGUMENT);
+  auto options = quick();
+  options.chunk_pairs = 10000;
+  options.in_flight = 16;
+  auto report = evaluate(500000, options);
+  ASSERT_FALSE(report.ok());
+  EXPECT_EQ(report.error().code, ErrorCode::invalid_argument);
+}
+
 TEST_F(Retry, DeadlineInTheMiddleOfAStream) {
   service().delay = milliseconds(50);
   auto options = quick();

@@ -1,6 +1,7 @@
 // Writes a material in the layout of the MERL database: make_merl OUT [NAME]
 //
-// NAME is one of $GONIO_DATA/merl/npf_names.txt; without it, the file holds a glossy example that needs no data.
+// NAME is one of $GONIO_DATA/merl/npf_names.txt; without it, the file holds a glossy example that
+// needs no data.
 #include <cstdio>
 #include <filesystem>
 

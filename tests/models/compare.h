@@ -31,7 +31,8 @@ struct Comparison {
 };
 
 // What is wrong with a value whatever the accuracy, or empty. `above` is where the relative
-// criterion begins; below it a value must be as small as truth is.
+// criterion begins; below it a value must be as small as truth is. A truth of NaN asks only for a
+// proper value.
 template <class Out>
 std::string improper(Out got, Quad truth, double above) {
   constexpr Out kLargest = std::numeric_limits<Out>::max();
@@ -56,7 +57,7 @@ Comparison compare(std::span<const Out> got, std::span<const Quad> truth, double
       if (!result.improper_at) result.improper_at = i, result.improper = std::move(why);
       continue;
     }
-    if (truth[i] <= above || truth[i] > std::numeric_limits<Out>::max()) continue;
+    if (!(truth[i] > above) || truth[i] > std::numeric_limits<Out>::max()) continue;
     const Quad difference = static_cast<Quad>(got[i]) - truth[i];
     const auto error = static_cast<double>((difference < 0 ? -difference : difference) / truth[i]);
     errors.push_back(unsure.empty() ? error : std::max(0.0, error - unsure[i]));

@@ -41,7 +41,9 @@ void expect_reciprocal(const Draw& draw, const std::vector<DirectionPair<float>>
     for (std::size_t i = 0; i < there.size(); ++i) {
       const double a = static_cast<double>(there[i]), b = static_cast<double>(back[i]);
       const double larger = std::max(a, b);
-      if (larger <= bound.above) continue;
+      const auto& pair = pairs[i / (there.size() / pairs.size())];
+      const double cosine = std::min(pair.wi[2], pair.wo[2]);
+      if (larger <= bound.above || cosine < 1.001 * bound.cosine) continue;
       ASSERT_LE((larger - std::min(a, b)) / larger, 2 * bound.relative)
           << draw.name << ", " << name_of(isa) << ", pair " << i / 3 << ": " << a << " and " << b;
     }

@@ -10,8 +10,8 @@ namespace {
 const std::vector<float> kWi = {0, 0, 1, 0.6f, 0, 0.8f}, kWo = {0, 0.6f, 0.8f, -0.6f, 0, 0.8f};
 
 std::vector<float> ask_server(const char* address) {
-  const auto client =
-      gonio::client::Client::connect(address, {.deadline = std::chrono::seconds(30), .max_retries = 8});
+  const auto client = gonio::client::Client::connect(
+      address, {.deadline = std::chrono::seconds(30), .max_retries = 8});
   if (!client.ok()) return std::puts(client.error().message.c_str()), std::vector<float>{};
   const auto gold = gonio::client::Material::model(
       "ggx", {{"f0", std::vector{1.0, 0.86, 0.57}}, {"alpha_x", 0.2}, {"alpha_y", 0.3}});
@@ -22,8 +22,10 @@ std::vector<float> ask_server(const char* address) {
 }
 
 std::vector<float> ask_self() {
-  const gonio::LobeSpec gold{
-      "ggx", {{"f0", std::vector{1.0, 0.86, 0.57}}, {"alpha_x", std::vector{0.2}}, {"alpha_y", std::vector{0.3}}}};
+  const gonio::LobeSpec gold{"ggx",
+                             {{"f0", std::vector{1.0, 0.86, 0.57}},
+                              {"alpha_x", std::vector{0.2}},
+                              {"alpha_y", std::vector{0.3}}}};
   const auto material = gonio::Material::create({.model = gold});
   if (!material.ok()) return std::puts(material.error().message.c_str()), std::vector<float>{};
   std::vector<float> values(6);

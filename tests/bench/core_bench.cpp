@@ -1,0 +1,233 @@
+// Speed and accuracy of the kernels in one run: every model on every instruction set against its
+// scalar form as printed (float and double), against the memory limit (six arrays added into
+// three), and against the oracle.
+//
+//   core_bench                      the table below, after Google Benchmark's own lines
+//   core_bench --benchmark_filter=ggx
+//
+// Repetitions of all benchmarks are interleaved at random and the best of each counts: the machine
+// may be busy, but it is seldom busy throughout.
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <map>
+#include <random>
+#include <string>
+
+#include "bench/cases.h"
+#include "bench/printed.h"
+#include "engine/thread_pool.h"
+#include "models/compare.h"
+#include "models/run.h"
+
+namespace gonio::bench {
+namespace {
+
+// Directions over the hemisphere as separate components, with room so that arrays do not share
+// cache sets.
+struct Arrays {
+  explicit Arrays(std::size_t n) : count(n) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> uniform;
+    for (auto& a : in) a.resize(n + 80);
+    out.resize(3 * n + 80);
+    out64.resize(3 * n + 80);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = 0; k < 6; k += 3) {
+        const float z = uniform(random) * 0.999F + 0.001F, phi = 6.2831853F * uniform(random),
+                    s = std::sqrt(1 - z * z);
+        in[k][i] = s * std::cos(phi), in[k + 1][i] = s * std::sin(phi), in[k + 2][i] = z;
+      }
+    }
+  }
+  template <class Out>
+  [[nodiscard]] Batch<float, Out> batch(std::vector<Out>& to) const {
+    return {Directions<float>::separate(in[0].data(), in[1].data(), in[2].data()),
+            Directions<float>::separate(in[3].data(), in[4].data(), in[5].data()), count,
+            Values<Out>::planar(to.data(), count)};
+  }
+  std::size_t count;
+  std::vector<float> in[6], out;
+  std::vector<double> out64;
+};
+
+Arrays& arrays(std::size_t n) {
+  static std::map<std::size_t, Arrays> all;
+  return all.try_emplace(n, n).first->second;
+}
+
+void count_pairs(benchmark::State& state, std::size_t pairs) {
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pairs));
+}
+
+void memory_limit(benchmark::State& state, std::size_t n) {
+  Arrays& a = arrays(n);
+  for (auto _ : state) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float* x = a.in[c].data();
+      const float* y = a.in[c + 3].data();
+      float* to = a.out.data() + c * n;
+      for (std::size_t i = 0; i < n; ++i) to[i] = x[i] + y[i];
+    }
+    benchmark::ClobberMemory();
+  }
+  count_pairs(state, n);
+}
+
+template <class T>
+void scalar(benchmark::State& state, const BenchCase<T>& model) {
+  const std::size_t n = 4096;
+  Arrays& a = arrays(n);
+  std::vector<T> out(3 * n);
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::array<T, 3> f = model.printed({T(a.in[0][i]), T(a.in[1][i]), T(a.in[2][i])},
+                                               {T(a.in[3][i]), T(a.in[4][i]), T(a.in[5][i])});
+      out[3 * i] = f[0], out[3 * i + 1] = f[1], out[3 * i + 2] = f[2];
+    }
+    benchmark::DoNotOptimize(out.data());
+    benchmark::ClobberMemory();
+  }
+  count_pairs(state, n);
+}
+
+void fast(benchmark::State& state, const Material& material, Isa isa, std::size_t n) {
+  Arrays& a = arrays(n);
+  const auto batch = a.batch(a.out);
+  for (auto _ : state) benchmark::DoNotOptimize(evaluate(material, batch, isa));
+  count_pairs(state, n);
+}
+
+void reference(benchmark::State& state, const Material& material, Isa isa, std::size_t n) {
+  Arrays& a = arrays(n);
+  const auto batch = a.batch(a.out64);
+  for (auto _ : state) benchmark::DoNotOptimize(evaluate(material, batch, isa));
+  count_pairs(state, n);
+}
+
+void two_threads(benchmark::State& state, const Material& material, std::size_t n) {
+  static ThreadPool pool(1, 16);  // and the caller
+  Arrays& a = arrays(n);
+  const auto batch = a.batch(a.out);
+  for (auto _ : state) benchmark::DoNotOptimize(evaluate(material, batch, best_isa(), pool));
+  count_pairs(state, n);
+}
+
+// Worst and 99.9th-percentile relative error within the stated range, over the oracle's hard pairs.
+template <class Out>
+testing::Comparison accuracy(const MaterialSpec& spec, Isa isa) {
+  auto pairs = testing::hard_pairs<float>(1);
+  std::erase_if(pairs, [](const auto& p) { return std::min(p.wi[2], p.wo[2]) < 1.001e-6F; });
+  const auto truth = testing::oracle_values(testing::Oracle<testing::Quad>(spec), pairs);
+  const std::vector<Out> got = testing::library_values<Out>(testing::material_of(spec), pairs, isa);
+  return testing::compare<Out>(got, truth, 1e-30);
+}
+
+// Keeps the best speed of every benchmark, in pairs per second.
+class Best : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      const auto rate = run.counters.find("items_per_second");
+      if (run.run_type != Run::RT_Iteration || rate == run.counters.end()) continue;
+      double& best = rate_[run.run_name.function_name];
+      best = std::max(best, rate->second.value);
+    }
+    ConsoleReporter::ReportRuns(runs);
+  }
+  [[nodiscard]] double rate(const std::string& name) const {
+    const auto found = rate_.find(name);
+    return found == rate_.end() ? 0 : found->second;
+  }
+
+ private:
+  std::map<std::string, double> rate_;
+};
+
+constexpr std::size_t kSizes[] = {1000, 4096, 10000, std::size_t{1} << 20};
+
+void register_model(const std::string& name, const MaterialSpec& spec) {
+  const Material material = testing::material_of(spec);
+  for (const Isa isa : supported_isas()) {
+    for (const std::size_t n : kSizes) {
+      const std::string at = "/" + std::string(name_of(isa)) + "/" + std::to_string(n);
+      benchmark::RegisterBenchmark((name + "/fast" + at).c_str(), fast, material, isa, n);
+      benchmark::RegisterBenchmark((name + "/reference" + at).c_str(), reference, material, isa, n);
+    }
+  }
+  for (const std::size_t n : kSizes) {
+    benchmark::RegisterBenchmark((name + "/2 threads/" + std::to_string(n)).c_str(), two_threads,
+                                 material, n)
+        ->UseRealTime();
+  }
+}
+
+template <class Out>
+void print_row(const Best& best, const std::string& name, const MaterialSpec& spec,
+               const char* precision, Isa isa) {
+  const std::string at = name + "/" + precision + "/" + std::string(name_of(isa)) + "/";
+  const double rate = best.rate(at + "4096");
+  if (rate == 0) return;
+  const testing::Comparison error = accuracy<Out>(spec, isa);
+  std::printf("%-18s %-9s %-8s %7.2f %8.1f %8.1f %8.2f %8.2f   %8.1e %8.1e   %4.0f %4.0f %4.0f\n",
+              name.c_str(), precision, std::string(name_of(isa)).c_str(), 1e9 / rate,
+              rate / best.rate(name + "/scalar float"), rate / best.rate(name + "/scalar double"),
+              rate / best.rate("memory limit/4096"),
+              best.rate(at + "1048576") / best.rate("memory limit/1048576"), error.worst,
+              error.p999, best.rate(at + "1000") / 1e6, best.rate(at + "10000") / 1e6,
+              best.rate(at + "1048576") / 1e6);
+}
+
+void print_table(const Best& best) {
+  std::printf("\n%-18s %-9s %-8s %7s %8s %8s %8s %8s   %8s %8s   %s\n", "", "", "", "ns",
+              "x scalar", "x scalar", "of limit", "of limit", "error", "error",
+              "M pairs/s of a batch of");
+  std::printf("%-18s %-9s %-8s %7s %8s %8s %8s %8s   %8s %8s   %4s %4s %4s\n", "model", "precision",
+              "isa", "(4096)", "float", "double", "(4096)", "(1 M)", "worst", "99.9 %", "1 k",
+              "10 k", "1 M");
+  for (const auto& model : bench_cases<float>()) {
+    for (const Isa isa : supported_isas()) {
+      print_row<float>(best, model.name, model.spec, "fast", isa);
+      print_row<double>(best, model.name, model.spec, "reference", isa);
+    }
+  }
+  std::printf("\n2 threads over 1, on the best instruction set:\n");
+  for (const auto& model : bench_cases<float>()) {
+    const std::string at = model.name + "/fast/" + std::string(name_of(best_isa())) + "/";
+    std::printf("  %-18s", model.name.c_str());
+    for (const std::size_t n : kSizes) {
+      const std::string size = std::to_string(n);
+      std::printf("  %s: %.2f", size.c_str(),
+                  best.rate(model.name + "/2 threads/" + size) / best.rate(at + size));
+    }
+    std::printf("\n");
+  }
+}
+
+}  // namespace
+}  // namespace gonio::bench
+
+int main(int argc, char** argv) {
+  using namespace gonio::bench;
+  std::vector<char*> arguments(argv, argv + argc);
+  char interleave[] = "--benchmark_enable_random_interleaving=true",
+       repetitions[] = "--benchmark_repetitions=8", quick[] = "--benchmark_min_time=0.02";
+  arguments.insert(arguments.begin() + 1,
+                   {interleave, repetitions, quick});  // the caller's own come later and win
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  for (const std::size_t n : kSizes) {
+    benchmark::RegisterBenchmark(("memory limit/" + std::to_string(n)).c_str(), memory_limit, n);
+  }
+  for (const auto& model : bench_cases<float>()) {
+    benchmark::RegisterBenchmark((model.name + "/scalar float").c_str(), scalar<float>, model);
+    register_model(model.name, model.spec);
+  }
+  for (const auto& model : bench_cases<double>()) {
+    benchmark::RegisterBenchmark((model.name + "/scalar double").c_str(), scalar<double>, model);
+  }
+  Best best;
+  benchmark::RunSpecifiedBenchmarks(&best);
+  print_table(best);
+  return 0;
+}
