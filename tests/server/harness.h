@@ -85,6 +85,7 @@ inline v1::EvaluateRequest request_for(const PairArrays& pairs, std::size_t firs
 }
 
 inline void set_ggx(v1::Material& material, double alpha = 0.2) {
+  material.Clear();
   material.set_model("ggx");
   auto& fields = *material.mutable_parameters()->mutable_fields();
   for (double f0 : {1.0, 0.86, 0.57})

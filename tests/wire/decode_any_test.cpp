@@ -22,8 +22,9 @@ void expect_same_as_generated(const std::string& bytes, std::size_t slice) {
   ASSERT_EQ(decoded.ok(), legal);
   if (!legal) return;
   v1::EvaluateRequest rebuilt = decoded->head;
-  if (decoded->material)
+  if (decoded->material) {
     ASSERT_TRUE(rebuilt.mutable_material()->ParseFromString(*decoded->material));
+  }
   if (decoded->kind == Request::Kind::pairs) {
     const auto wi = elements<float>(decoded->bytes, decoded->wi),
                wo = elements<float>(decoded->bytes, decoded->wo);

@@ -67,7 +67,9 @@ TEST(Fuzz, MutatedRequestsAgreeWithTheGeneratedParser) {
     const bool legal = expected.ParseFromString(bytes);
     const auto decoded = decode_request(buffer_of(bytes, 1 + random() % 40));
     ASSERT_EQ(is_legal(decoded), legal) << "round " << round;
-    if (!decoded.ok()) EXPECT_EQ(decoded.error().code, ErrorCode::invalid_argument);
+    if (!decoded.ok()) {
+      EXPECT_EQ(decoded.error().code, ErrorCode::invalid_argument);
+    }
     if (!legal) continue;
     ++accepted;
     touch(*decoded);
