@@ -158,7 +158,7 @@ struct Dielectric {
     const Real sum = max(t.c + g, Real(1e-18));  // its square stays representable
     const Real mixed = max(eta2 * t.c + g, Real(1e-18));
     const Real s = difference / (sum * sum);
-    const Real p_numerator = N::real(Wide(k.eta2 + 1) * t.c2 - Wide(1));
+    const Real p_numerator = N::real(Wide(k.eta2) * t.c2 - t.s2);
     const Real p = difference * p_numerator / (mixed * mixed);
     return select(Wide(0) < g2, Real(0.5) * (s * s + p * p), Real(1));
   }
@@ -169,14 +169,13 @@ struct Dielectric {
 struct Conductor {
   template <class S>
   struct Channel {
-    S difference;  // eta^2 - k^2
-    S offset;      // eta^2 - k^2 - 1
-    S two_eta_k;   // 2 eta k
+    S offset;     // eta^2 - k^2 - 1
+    S two_eta_k;  // 2 eta k
   };
   template <class S>
   static Channel<S> channel(const ParameterValues<S>& p, int c) {
     const S eta = p.colour("eta", c), k = p.colour("k", c);
-    return {eta * eta - k * k, (eta - S(1)) * (eta + S(1)) - k * k, S(2) * eta * k};
+    return {(eta - S(1)) * (eta + S(1)) - k * k, S(2) * eta * k};
   }
   template <class N>
   struct Stage {
@@ -200,7 +199,7 @@ struct Conductor {
                                                    const Channel<typename N::WideScalar>& k,
                                                    const Channel<typename N::RealScalar>&) {
     using Wide = typename N::Wide;
-    const Wide real_part = select(t.c2 < t.s2, Wide(k.offset) + t.c2, Wide(k.difference) - t.s2);
+    const Wide real_part = Wide(k.offset) + t.c2;  // eta^2 - k^2 - sin^2
     const Wide modulus =
         sqrt(real_part * real_part + Wide(k.two_eta_k * k.two_eta_k));  // a^2 + b^2
     // The larger of a^2, b^2 is a sum; the other follows from a b = eta k.
