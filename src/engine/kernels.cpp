@@ -21,27 +21,46 @@ namespace {
 // Packets taken through one step at a time. The whole chain of one packet is longer than what a
 // processor can look ahead, so it would wait for itself; a step is short enough that several
 // packets overlap.
-constexpr std::size_t kBlock = 16;
+constexpr std::size_t kBlock = 8;
 
 template <class N, class Kind>
 struct Block {
   typename N::Mask valid[kBlock];
   typename Kind::template Stage<N> stage[kBlock];
+  typename Kind::template Refined<N> refined[kBlock];
   typename Kind::template Terms<N> terms[kBlock];
 };
 
-// One channel of a block's packets.
+// All channels of a block's packets, from pair `begin` on.
 template <bool kAccumulate, class N, class Kind>
-GONIO_INLINE void write_channel(const Block<N, Kind>& block, const Constants<Kind>& constants,
-                                int c, std::size_t packets, typename N::Out* to) {
+GONIO_INLINE void write(const Block<N, Kind>& block, const Constants<Kind>& constants,
+                        std::size_t begin, std::size_t packets,
+                        const KernelOutput<typename N::Out>& out) {
   using Real = typename N::Real;
-  const auto wide = constants.wide[c];
-  const auto real = constants.template channel<typename N::RealScalar>(c);
-  for (std::size_t p = 0; p < packets; ++p, to += raw::kWidth) {
-    const Real value = Kind::template value<N>(block.terms[p], wide, real);
-    Real result = select(block.valid[p], min(N::largest(), value), Real(0));
-    if constexpr (kAccumulate) result = min(N::largest(), result + Real::load(to));
-    result.store(to);
+  const int channels = constants.channels;
+  const std::size_t stride = out.channel_stride;
+  typename N::Out* packet = out.values + begin;
+  for (std::size_t p = 0; p < packets; ++p, packet += raw::kWidth) {
+    const auto terms = block.terms[p];
+    const auto valid = block.valid[p];
+    typename N::Out* to = packet;
+    for (int c = 0; c < channels; ++c, to += stride) {
+      const Real value = Kind::template value<N>(
+          terms, constants.wide[c], constants.template channel<typename N::RealScalar>(c));
+      Real result = select(valid, min(N::largest(), value), Real(0));
+      if constexpr (kAccumulate) result = min(N::largest(), result + Real::load(to));
+      result.store(to);
+    }
+  }
+}
+
+template <class N, class Kind, class In>
+[[gnu::noinline]] void note_block(const Block<N, Kind>& block, std::size_t packets,
+                                  const KernelInput<In>& in, std::size_t begin,
+                                  std::uint8_t* flags) {
+  for (std::size_t p = 0; p < packets; ++p) {
+    const unsigned valid = block.valid[p].bits();
+    if (valid != kAllLanes) note_flags(in, begin + p * raw::kWidth, valid, flags);
   }
 }
 
@@ -57,24 +76,22 @@ void analytic(const void* constants, const KernelInput<In>& in,
     // share.
     const std::size_t left = (in.count - begin) / raw::kWidth;
     const std::size_t packets = left < kBlock ? left : kBlock;
+    unsigned valid = kAllLanes;
     for (std::size_t p = 0; p < packets; ++p) {
       const Geometry<N> g = load_geometry<N>(in, begin + p * raw::kWidth);
       block.valid[p] = g.valid;
+      valid &= g.valid.bits();
       block.stage[p] = Kind::template stage<N>(shape, g);
     }
     for (std::size_t p = 0; p < packets; ++p)
-      block.terms[p] = Kind::template terms<N>(shape, block.stage[p]);
-    for (std::size_t p = 0; p < packets; ++p) {
-      const unsigned valid = block.valid[p].bits();
-      if (valid != kAllLanes) note_flags(in, begin + p * raw::kWidth, valid, out.flags);
-    }
-    for (int c = 0; c < given.channels; ++c) {
-      typename N::Out* to = out.values + static_cast<std::size_t>(c) * out.channel_stride + begin;
-      if (out.accumulate) {
-        write_channel<true>(block, given, c, packets, to);
-      } else {
-        write_channel<false>(block, given, c, packets, to);
-      }
+      block.refined[p] = Kind::template refine<N>(shape, block.stage[p]);
+    for (std::size_t p = 0; p < packets; ++p)
+      block.terms[p] = Kind::template terms<N>(shape, block.stage[p], block.refined[p]);
+    if (valid != kAllLanes) note_block<N, Kind>(block, packets, in, begin, out.flags);
+    if (out.accumulate) {
+      write<true>(block, given, begin, packets, out);
+    } else {
+      write<false>(block, given, begin, packets, out);
     }
   }
 }

@@ -22,7 +22,7 @@ template <class N>
 GONIO_INLINE TablePosition<N> locate(const Geometry<N>& g) {
   using Wide = typename N::Wide;
   constexpr double kPi = 3.14159265358979323846;
-  const Vec3<Wide> h = g.h();
+  const Vec3<Wide> h = g.half.h;
   const Vec3<Wide> d = g.wi - g.wo;
   const Wide s = h.x * h.x + h.y * h.y;
   const Wide h_length = sqrt(s + h.z * h.z);

@@ -9,7 +9,8 @@
 // Source: Ashikhmin & Shirley 2000, "An Anisotropic Phong BRDF Model", equations 4 and 5.
 // Stable forms: (n.h)^e = 2^(-e/2 log2(1 + s/c)) with s = Hx^2 + Hy^2, c = Hz^2 of H = wi + wo,
 // whose logarithm is exact to the last digits near h = n; there e is 0/0, but bounded by nu and nv,
-// and the logarithm 0; 1 - (1 - w)^5 = w (5 - 10w + 10w^2 - 5w^3 + w^4) does not cancel at grazing.
+// and the logarithm 0; 1 - (1 - w)^5 = w (5 - 10w + 10w^2 - 5w^3 + w^4), w = n.k/2, does not cancel
+// at grazing.
 #pragma once
 
 #include <array>
@@ -77,8 +78,13 @@ struct AshikhminShirley {
   };
   template <class N>
   struct Stage {
-    typename N::Wide weighted, s, c;  // -(nu Hx^2 + nv Hy^2)/2, Hx^2 + Hy^2, Hz^2
-    typename N::Real cos_i, cos_o, cos_d, one_minus_cos_d;
+    HalfVector<N> half;
+    typename N::Real cos_i, cos_o;
+  };
+  template <class N>
+  struct Refined {
+    typename N::Wide exponent;    // log2 of (n.h)^e
+    typename N::Real h2, sin2_d;  // |H|^2
   };
   template <class N>
   struct Terms {
@@ -101,38 +107,41 @@ struct AshikhminShirley {
   }
 
   template <class N>
-  static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>& k, const Geometry<N>& g) {
-    using Wide = typename N::Wide;
-    const Vec3<Wide> h = g.h();
-    const Wide x2 = h.x * h.x, y2 = h.y * h.y;
-    const typename N::Real cos_d = g.cos_d();
-    return {Wide(k.minus_half_nu) * x2 + Wide(k.minus_half_nv) * y2,
-            x2 + y2,
-            h.z * h.z,
-            g.cos_i(),
-            g.cos_o(),
-            cos_d,
-            g.one_minus(cos_d)};
+  static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>&, const Geometry<N>& g) {
+    return {g.half, g.cos_i(), g.cos_o()};
   }
 
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>& k, const Stage<N>& g) {
+  static GONIO_INLINE Refined<N> refine(const Shape<typename N::WideScalar>& k, const Stage<N>& g) {
     using Wide = typename N::Wide;
+    const Vec3<Wide>& h = g.half.h;
+    const Wide x2 = h.x * h.x, y2 = h.y * h.y, c = h.z * h.z;
+    const Wide weighted = Wide(k.minus_half_nu) * x2 + Wide(k.minus_half_nv) * y2;
+    const Wide h2 = g.half.length2();
+    return {N::weighted_log2_1p(weighted, x2 + y2, c, h2), N::real(h2), N::real(g.half.sin2_d())};
+  }
+
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>& k, const Stage<N>& g,
+                                     const Refined<N>& r) {
     using Real = typename N::Real;
-    // At h = n both factors of the exponent vanish; the bound keeps 0/0 away.
-    const Wide exponent = g.weighted / max(g.s, Wide(1e-200)) * N::log2_1p(g.s, g.c);
-    // Divided one after the other: the product of two tiny cosines would underflow.
-    const Real amplitude = N::times_exp2(Real(k.norm) / g.cos_d / max(g.cos_i, g.cos_o), exponent);
-    const Real w = g.one_minus_cos_d;
-    return {min(N::largest(), amplitude), (w * w) * (w * w) * w,
+    using std::sqrt;
+    const Real cos_d = Real(0.5) * sqrt(r.h2);
+    // The bound, far beyond the horizon's stated limit, keeps the amplitude finite.
+    const Real below = max(cos_d * max(g.cos_i, g.cos_o), Real(1e-29));
+    // One division for 1/below and for 1 - cos_d = sin^2 / (1 + cos_d).
+    const Real beside = Real(1) + cos_d, inverse = Real(1) / (below * beside);
+    const Real w = max(r.sin2_d, Real(0)) * (below * inverse);
+    return {N::times_exp2(Real(k.norm) * (beside * inverse), r.exponent), (w * w) * (w * w) * w,
             falloff(g.cos_i) * falloff(g.cos_o)};
   }
 
   // 1 - (1 - cos/2)^5.
   template <class Real>
   static GONIO_INLINE Real falloff(Real cos) {
-    const Real w = Real(0.5) * cos;
-    return w * (Real(5) - w * (Real(10) - w * (Real(10) - w * (Real(5) - w))));
+    return cos * (Real(5. / 2) -
+                  cos * (Real(5. / 2) -
+                         cos * (Real(5. / 4) - cos * (Real(5. / 16) - cos * Real(1. / 32)))));
   }
 
   template <class N>

@@ -53,26 +53,38 @@ struct CookTorrance {
 
   template <class N>
   struct Stage {
-    typename N::Wide s, h2, z, cos_max, cos_min;  // Hx^2 + Hy^2, |H|^2, Hz
+    typename N::Real cos_max, cos_min;  // of n.wi and n.wo
   };
 
   template <class N>
   static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>&, const Geometry<N>& g) {
-    const Vec3<typename N::Wide> h = g.h();
-    return {h.x * h.x + h.y * h.y, g.h_length2(), h.z, max(g.wi.z, g.wo.z), min(g.wi.z, g.wo.z)};
+    return {max(g.cos_i(), g.cos_o()), min(g.cos_i(), g.cos_o())};
+  }
+
+  template <class N>
+  struct Refined {
+    typename N::Wide exponent;  // -tan^2(theta_h) / m^2 log2(e)
+    typename N::Real h2, z;     // |H|^2, Hz
+  };
+
+  template <class N>
+  static GONIO_INLINE Refined<N> refine(const Shape<typename N::WideScalar>& k,
+                                        const HalfVector<N>& half, const Stage<N>&) {
+    using Wide = typename N::Wide;
+    const Vec3<Wide>& h = half.h;
+    const Wide s = h.x * h.x + h.y * h.y, c = h.z * h.z;
+    return {s * Wide(k.minus_inverse_m2) / c, N::real(s + c), N::real(h.z)};
   }
 
   template <class N>
   static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k,
-                                                 const Stage<N>& g) {
-    using Wide = typename N::Wide;
+                                                 const Stage<N>& g, const Refined<N>& r) {
     using Real = typename N::Real;
-    const Wide inverse_z2 = Wide(1) / (g.z * g.z);
-    // Beyond the bound the exponential is 0 for every m; it keeps the other factor finite.
-    const Real sec2 = N::real(min(g.h2 * inverse_z2, Wide(1e9)));
-    const Real masking = N::real(g.z / (g.cos_max * max(Wide(4) * g.cos_min * g.z, g.h2)));
-    const Real rest = min(N::largest(), Real(k.norm) * (sec2 * sec2) * masking);
-    return N::times_exp2(rest, g.s * inverse_z2 * Wide(k.minus_inverse_m2));
+    // Where the bounds act the exponential is 0 for every m; they keep the other factors finite.
+    const Real z = max(r.z, Real(1e-12));
+    const Real sec2 = min(r.h2 / (z * z), Real(1e9));
+    const Real masking = z / max(g.cos_max * max(Real(4) * g.cos_min * z, r.h2), Real(1e-37));
+    return N::times_exp2(min(Real(1e37), Real(k.norm) * (sec2 * sec2) * masking), r.exponent);
   }
 };
 

@@ -64,25 +64,33 @@ struct Ggx {
 
   template <class N>
   struct Stage {
-    typename N::Wide h2, stretched;  // |H|^2, and the same with the roughness divided out
-    typename N::Real visible;        // (n.wo) L(wi) + (n.wi) L(wo)
+    typename N::Real visible;  // (n.wo) L(wi) + (n.wi) L(wo)
   };
 
   template <class N>
   static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>& k, const Geometry<N>& g) {
+    return {g.cos_o() * length<N>(k, g.real_wi) + g.cos_i() * length<N>(k, g.real_wo)};
+  }
+
+  template <class N>
+  struct Refined {
+    typename N::Real ratio;  // |H|^2 over the same with the roughness divided out
+  };
+
+  template <class N>
+  static GONIO_INLINE Refined<N> refine(const Shape<typename N::WideScalar>& k,
+                                        const HalfVector<N>& half, const Stage<N>&) {
     using Wide = typename N::Wide;
-    const Vec3<Wide> h = g.h();
-    return {g.h_length2(),
-            h.x * h.x * Wide(k.inverse_ax2) + h.y * h.y * Wide(k.inverse_ay2) + h.z * h.z,
-            g.cos_o() * length<N>(k, g.real_wi) + g.cos_i() * length<N>(k, g.real_wo)};
+    const Wide x2 = half.h.x * half.h.x, y2 = half.h.y * half.h.y, z2 = half.h.z * half.h.z;
+    const Wide stretched = x2 * Wide(k.inverse_ax2) + y2 * Wide(k.inverse_ay2) + z2;
+    return {N::real((x2 + y2 + z2) / stretched)};
   }
 
   template <class N>
   static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k,
-                                                 const Stage<N>& g) {
+                                                 const Stage<N>& g, const Refined<N>& r) {
     using Real = typename N::Real;
-    const Real ratio = N::real(g.h2 / g.stretched);
-    return Real(k.norm) * (ratio * ratio) / max(g.visible, Real(1e-38));
+    return Real(k.norm) * (r.ratio * r.ratio) / max(g.visible, Real(1e-38));
   }
 
   // L(w): the length of w with its tangential part scaled by the roughness.

@@ -40,6 +40,8 @@ struct Lambertian {
   template <class N>
   struct Stage {};
   template <class N>
+  struct Refined {};
+  template <class N>
   struct Terms {};
 
   template <class S>
@@ -56,7 +58,12 @@ struct Lambertian {
     return {};
   }
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>&, const Stage<N>&) {
+  static GONIO_INLINE Refined<N> refine(const Shape<typename N::WideScalar>&, const Stage<N>&) {
+    return {};
+  }
+  template <class N>
+  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>&, const Stage<N>&,
+                                     const Refined<N>&) {
     return {};
   }
   template <class N>

@@ -14,48 +14,50 @@ GONIO_INLINE T polynomial(T x, const double (&c)[N]) {
   return sum;
 }
 
-// log2(1 + s/c) for s >= 0 and normal c > 0. Relative error 1e-9 (quick), 1e-15 (exact), down to s
-// = 0.
+// (w/s) log2(1 + s/c), given a = s + c, for s >= 0, c >= 0 (quick: c > 1e-150, as of float32
+// cosines) and w = 0 where s = 0: the logarithm to a relative error of 3e-9 (quick), 1e-15 (exact),
+// down to the smallest s.
 //
-// With k chosen so that (c + s) / (c 2^k) lies in [1/sqrt2, sqrt2], it is k plus the series of 2
-// artanh(z) / log 2, z = (c + s - c 2^k) / (c + s + c 2^k). For k = 0 the numerator is s itself:
-// nothing cancels.
+// With k near log2(a/c) it is k plus the series of 2 artanh(z) / log 2, z = (a - c 2^k) /
+// (a + c 2^k), |z| < .201. The numerator is formed as s - c (2^k - 1): for k = 0 it is s itself,
+// and nothing cancels. One division serves both quotients.
 template <Exactness E>
-GONIO_INLINE Double<E> log2_1p(Double<E> s, Double<E> c) {
+GONIO_INLINE Double<E> weighted_log2_1p(Double<E> w, Double<E> s, Double<E> c, Double<E> a) {
   using D = Double<E>;
-  constexpr double kLog2E = 1.44269504088896341, kSqrt2 = 1.41421356237309505;
-  // Minimax in z^2, relative error 7e-10; and Taylor's.
-  static constexpr double kQuick[] = {kLog2E * 1.9999999986202206, kLog2E * 0.6666681604184228,
-                                      kLog2E * 0.39974784613174996, kLog2E * 0.2992593099817825};
+  constexpr double kLog2E = 1.44269504088896341;
+  // Minimax in z^2, relative error 2.5e-9; and Taylor's.
+  static constexpr double kQuick[] = {2.885390074497867, 0.9618024151201555, 0.5763775016569772,
+                                      0.4394355120717109};
   static constexpr double kExact[] = {kLog2E * 2,      kLog2E * 2 / 3,  kLog2E * 2 / 5,
                                       kLog2E * 2 / 7,  kLog2E * 2 / 9,  kLog2E * 2 / 11,
                                       kLog2E * 2 / 13, kLog2E * 2 / 15, kLog2E * 2 / 17,
                                       kLog2E * 2 / 19, kLog2E * 2 / 21};
-  const D a = c + s;
-  const D k = max(exponent(a * kSqrt2 * reciprocal_estimate(c)), D(0));
-  const D b = scale(c, k);
-  const D z = select(D(0.5) < k, a - b, s) / (a + b);
   if constexpr (E == Exactness::exact) {
-    return k + z * polynomial(z * z, kExact);
+    c = max(c, D(1e-150));
+    a = s + c;
+  }
+  D power, k;
+  nearest_power(a, c, power, k);
+  const D numerator = s - c * (power - D(1)), denominator = a + c * power;
+  const D inverse = D(1) / (denominator * s + D(1e-250));  // the addend keeps 0/0 away
+  const D z = numerator * s * inverse, quotient = w * denominator * inverse;
+  if constexpr (E == Exactness::exact) {
+    return quotient * (k + z * polynomial(z * z, kExact));
   } else {
-    return k + z * polynomial(z * z, kQuick);
+    return quotient * (k + z * polynomial(z * z, kQuick));
   }
 }
 
-// amplitude * 2^x for x <= 0 and finite amplitude, without underflow before the product. Relative
-// error 2e-7.
+// amplitude * 2^x for x <= 0 and amplitude < 2^127, without underflow before the product. Relative
+// error 2e-7; x below -255 counts as -255.
 GONIO_INLINE Float times_exp2(Float amplitude, Double<Exactness::quick> x) {
-  // Minimax on [-1/2, 1/2], relative error 2e-9 before rounding to float.
-  static constexpr double kExp2[] = {1,
-                                     0.6931472028680505,
-                                     0.24022647911955672,
-                                     0.055503324402892004,
-                                     0.009618437481978418,
-                                     0.0013398887338137845,
-                                     0.00015353351536451972};
-  const Double<Exactness::quick> clamped = max(x, Double<Exactness::quick>(-290));
-  const Double<Exactness::quick> k = round(clamped);
-  return scale(amplitude * polynomial(narrow(clamped - k), kExp2), narrow(k));
+  // 2^(m - 1) on [1, 2], minimax, relative error 2e-9 before rounding to float.
+  static constexpr double kExp2[] = {
+      0.5002514095335279,  0.3453396716528393,     0.12266852413489496,   0.02486719921157127,
+      0.00671434311378965, -5.816856302982807e-05, 0.00021702277208753714};
+  Float k, m;
+  split_exponent(x, k, m);
+  return scale(amplitude * polynomial(m, kExp2), k);
 }
 
 // The same in float64. Relative error 5e-16 (1 + |x|).

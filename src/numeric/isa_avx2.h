@@ -62,6 +62,26 @@ GONIO_INLINE F scale(F x, F k) {
   return scale_once(scale_once(scale_once(x, low), middle), rest - middle);
 }
 
+// The nearest whole k to log2(a / c), give or take .09, as 2^k and as k; 0 whenever a/c lies in
+// [1, 1.4]. The bits of a positive number grow like its logarithm, from corner to corner.
+GONIO_INLINE void nearest_power(D a, D c, D& power, D& k) {
+  const __m256i difference = _mm256_sub_epi64(_mm256_castpd_si256(a), _mm256_castpd_si256(c));
+  const __m256i biased = _mm256_add_epi64(difference, _mm256_set1_epi64x(0x3ff8000000000000));
+  power = _mm256_castsi256_pd(_mm256_and_si256(biased, _mm256_set1_epi64x(0x7ff0000000000000)));
+  k = exponent(power);
+}
+// x = k + (m - 1), k whole and m in [1, 2), for x in [-255, 0], to 2^-24; smaller x as -255. The
+// sum with a constant whose last bit is worth 2^-23 leaves both in the low half of the bits.
+GONIO_INLINE void split_exponent(D lo, D hi, F& k, F& m) {
+  const D magic = _mm256_set1_pd(0x1.8p29), least = _mm256_set1_pd(0x1.8p29 - 255);
+  const F halves = _mm256_shuffle_ps(_mm256_castpd_ps(max(lo + magic, least)),
+                                     _mm256_castpd_ps(max(hi + magic, least)), 0x88);
+  const __m256i fixed = _mm256_permute4x64_epi64(_mm256_castps_si256(halves), 0xd8);
+  k = _mm256_cvtepi32_ps(_mm256_srai_epi32(fixed, 23));
+  const __m256i fraction = _mm256_and_si256(fixed, _mm256_set1_epi32(0x007fffff));
+  m = _mm256_castsi256_ps(_mm256_or_si256(fraction, _mm256_set1_epi32(0x3f800000)));
+}
+
 GONIO_INLINE void widen(F x, D& lo, D& hi) {
   lo = _mm256_cvtps_pd(_mm256_castps256_ps128(x));
   hi = _mm256_cvtps_pd(_mm256_extractf128_ps(x, 1));

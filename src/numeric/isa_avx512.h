@@ -47,6 +47,26 @@ GONIO_INLINE D exponent(D x) { return _mm512_getexp_pd(x); }
 GONIO_INLINE D scale(D x, D k) { return _mm512_scalef_pd(x, k); }
 GONIO_INLINE F scale(F x, F k) { return _mm512_scalef_ps(x, k); }
 
+// The nearest whole k to log2(a / c), give or take .09, as 2^k and as k; 0 whenever a/c lies in
+// [1, 1.4]. The bits of a positive number grow like its logarithm, from corner to corner.
+GONIO_INLINE void nearest_power(D a, D c, D& power, D& k) {
+  const __m512i difference = _mm512_sub_epi64(_mm512_castpd_si512(a), _mm512_castpd_si512(c));
+  const __m512i biased = _mm512_add_epi64(difference, _mm512_set1_epi64(0x3ff8000000000000));
+  power = _mm512_castsi512_pd(_mm512_and_si512(biased, _mm512_set1_epi64(0x7ff0000000000000)));
+  k = exponent(power);
+}
+// x = k + (m - 1), k whole and m in [1, 2), for x in [-255, 0], to 2^-24; smaller x as -255. The
+// sum with a constant whose last bit is worth 2^-23 leaves both in the low half of the bits.
+GONIO_INLINE void split_exponent(D lo, D hi, F& k, F& m) {
+  const D magic = _mm512_set1_pd(0x1.8p29), least = _mm512_set1_pd(0x1.8p29 - 255);
+  const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+  const __m512i fixed = _mm512_permutex2var_epi32(_mm512_castpd_si512(max(lo + magic, least)), even,
+                                                  _mm512_castpd_si512(max(hi + magic, least)));
+  k = _mm512_cvtepi32_ps(_mm512_srai_epi32(fixed, 23));
+  const __m512i fraction = _mm512_and_si512(fixed, _mm512_set1_epi32(0x007fffff));
+  m = _mm512_castsi512_ps(_mm512_or_si512(fraction, _mm512_set1_epi32(0x3f800000)));
+}
+
 GONIO_INLINE void widen(F x, D& lo, D& hi) {
   lo = _mm512_cvtps_pd(_mm512_castps512_ps256(x));
   hi = _mm512_cvtps_pd(_mm512_extractf32x8_ps(x, 1));

@@ -67,6 +67,25 @@ GONIO_INLINE F scale(F x, F k) {
   return scale_once(scale_once(scale_once(x, low), middle), rest - middle);
 }
 
+// The nearest whole k to log2(a / c), give or take .09, as 2^k and as k; 0 whenever a/c lies in
+// [1, 1.4]. The bits of a positive number grow like its logarithm, from corner to corner.
+GONIO_INLINE void nearest_power(D a, D c, D& power, D& k) {
+  const __m128i difference = _mm_sub_epi64(_mm_castpd_si128(a), _mm_castpd_si128(c));
+  const __m128i biased = _mm_add_epi64(difference, _mm_set1_epi64x(0x3ff8000000000000));
+  power = _mm_castsi128_pd(_mm_and_si128(biased, _mm_set1_epi64x(0x7ff0000000000000)));
+  k = exponent(power);
+}
+// x = k + (m - 1), k whole and m in [1, 2), for x in [-255, 0], to 2^-24; smaller x as -255. The
+// sum with a constant whose last bit is worth 2^-23 leaves both in the low half of the bits.
+GONIO_INLINE void split_exponent(D lo, D hi, F& k, F& m) {
+  const D magic = _mm_set1_pd(0x1.8p29), least = _mm_set1_pd(0x1.8p29 - 255);
+  const __m128i fixed = _mm_castps_si128(_mm_shuffle_ps(
+      _mm_castpd_ps(max(lo + magic, least)), _mm_castpd_ps(max(hi + magic, least)), 0x88));
+  k = _mm_cvtepi32_ps(_mm_srai_epi32(fixed, 23));
+  const __m128i fraction = _mm_and_si128(fixed, _mm_set1_epi32(0x007fffff));
+  m = _mm_castsi128_ps(_mm_or_si128(fraction, _mm_set1_epi32(0x3f800000)));
+}
+
 GONIO_INLINE void widen(F x, D& lo, D& hi) {
   lo = _mm_cvtps_pd(x);
   hi = _mm_cvtps_pd(_mm_movehl_ps(x, x));

@@ -7,9 +7,9 @@
 //   N::Mask            the result of a comparison
 //   N::WideScalar, N::RealScalar   the types of a material's constants that go with them
 //   real(w)            Wide to Real
-//   root(w)            square root of a Wide, as Real, also beyond float32's range
+//   root(w)            square root of a Wide, as Real; 0 where Real cannot hold it
 //   inverse_length(e)  1 / sqrt(1 + e), of either type
-//   log2_1p(s, c)      log2(1 + s/c)
+//   weighted_log2_1p(w, s, c, a)   (w/s) log2(1 + s/c), a = s + c
 //   times_exp2(a, x)   a 2^x, without underflow before the product
 //   kQuick             whether errors of 1e-14 are small enough to save work for
 #pragma once
@@ -42,9 +42,9 @@ struct Plain {
     using std::sqrt;
     return T(1) / sqrt(T(1) + e);
   }
-  static T log2_1p(T s, T c) {
+  static T weighted_log2_1p(T w, T s, T c, T) {
     using std::log1p;
-    return log1p(s / c) / T(0.693147180559945309417232121458176568L);
+    return w / (s + T(1e-250)) * (log1p(s / c) / T(0.693147180559945309417232121458176568L));
   }
   static T times_exp2(T amplitude, T x) {
     using std::exp2;
@@ -68,13 +68,7 @@ struct Fast {
 
   static GONIO_INLINE Real largest() { return Real(3.4028234663852886e38); }
   static GONIO_INLINE Real real(Wide w) { return narrow(w); }
-  static GONIO_INLINE Real root(Wide w) {
-    const Real narrowed = narrow(w);
-    Real result = sqrt(narrowed);
-    const Mask tiny = narrowed < Real(1e-30);
-    if (any(tiny)) result = select(tiny, sqrt(narrow(w * 0x1p120)) * 0x1p-60, result);
-    return result;
-  }
+  static GONIO_INLINE Real root(Wide w) { return sqrt(narrow(w)); }
   // For |e| <= 2.1e-3, to 1e-14 and to 3e-9.
   static GONIO_INLINE Wide inverse_length(Wide e) {
     static constexpr double kSeries[] = {1, -1.0 / 2, 3.0 / 8, -5.0 / 16, 35.0 / 128};
@@ -84,7 +78,9 @@ struct Fast {
     static constexpr double kSeries[] = {1, -1.0 / 2, 3.0 / 8};
     return polynomial(e, kSeries);
   }
-  static GONIO_INLINE Wide log2_1p(Wide s, Wide c) { return GONIO_ISA::log2_1p(s, c); }
+  static GONIO_INLINE Wide weighted_log2_1p(Wide w, Wide s, Wide c, Wide a) {
+    return GONIO_ISA::weighted_log2_1p(w, s, c, a);
+  }
   static GONIO_INLINE Real times_exp2(Real amplitude, Wide x) {
     return GONIO_ISA::times_exp2(amplitude, x);
   }
@@ -104,7 +100,9 @@ struct Reference {
   static GONIO_INLINE Real real(Wide w) { return w; }
   static GONIO_INLINE Real root(Wide w) { return sqrt(w); }
   static GONIO_INLINE Wide inverse_length(Wide e) { return Wide(1) / sqrt(Wide(1) + e); }
-  static GONIO_INLINE Wide log2_1p(Wide s, Wide c) { return GONIO_ISA::log2_1p(s, c); }
+  static GONIO_INLINE Wide weighted_log2_1p(Wide w, Wide s, Wide c, Wide a) {
+    return GONIO_ISA::weighted_log2_1p(w, s, c, a);
+  }
   static GONIO_INLINE Real times_exp2(Real amplitude, Wide x) {
     return GONIO_ISA::times_exp2(amplitude, x);
   }

@@ -35,8 +35,9 @@ struct Float {
   raw::F v;
   GONIO_INLINE Float() : v{} {}
   GONIO_INLINE explicit Float(raw::F x) : v(x) {}
-  GONIO_INLINE Float(double x)
-      : v(raw::broadcast(static_cast<float>(x))) {}  // NOLINT: formulas mix in numbers
+  // Implicit: formulas mix in numbers.
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  GONIO_INLINE Float(double x) : v(raw::broadcast(static_cast<float>(x))) {}
 
   static GONIO_INLINE Float load(const float* p) { return Float(raw::load(p)); }
   GONIO_INLINE void store(float* p) const { raw::store(p, v); }
@@ -63,8 +64,8 @@ struct Double {
   raw::D lo, hi;
   GONIO_INLINE Double() : lo{}, hi{} {}
   GONIO_INLINE Double(raw::D l, raw::D h) : lo(l), hi(h) {}
-  GONIO_INLINE Double(double x)
-      : lo(raw::broadcast(x)), hi(lo) {}  // NOLINT: formulas mix in numbers
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  GONIO_INLINE Double(double x) : lo(raw::broadcast(x)), hi(lo) {}
   GONIO_INLINE explicit Double(Float x) { raw::widen(x.v, lo, hi); }
 
   static GONIO_INLINE Double load(const float* p) {
@@ -107,14 +108,16 @@ struct Double {
     raw::select(m.m, a.lo, a.hi, b.lo, b.hi);
     return a;
   }
-  // 1/x to 14 bits at least.
-  friend GONIO_INLINE Double reciprocal_estimate(Double a) {
-    return {raw::reciprocal_estimate(a.lo), raw::reciprocal_estimate(a.hi)};
+  // About log2(a / c) for 0 < c <= a, as a whole number k and as 2^k; see raw.
+  friend GONIO_INLINE void nearest_power(Double a, Double c, Double& power, Double& k) {
+    raw::nearest_power(a.lo, c.lo, power.lo, k.lo);
+    raw::nearest_power(a.hi, c.hi, power.hi, k.hi);
   }
-  // floor(log2 x) for normal x > 0, and x * 2^k for whole k.
-  friend GONIO_INLINE Double exponent(Double a) {
-    return {raw::exponent(a.lo), raw::exponent(a.hi)};
+  // x = k + (m - 1) for -255 <= x <= 0; see raw.
+  friend GONIO_INLINE void split_exponent(Double x, Float& k, Float& m) {
+    raw::split_exponent(x.lo, x.hi, k.v, m.v);
   }
+  // x * 2^k for whole k.
   friend GONIO_INLINE Double scale(Double a, Double k) {
     return {raw::scale(a.lo, k.lo), raw::scale(a.hi, k.hi)};
   }

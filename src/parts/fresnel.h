@@ -1,6 +1,6 @@
 // Fresnel reflectance, as a part that microfacet models share.
 //
-// Each kind offers Channel<S> (its constants of one colour channel), Stage<N> and Terms<N> (what
+// Each kind offers Channel<S> (its constants of one colour channel), Refined<N> and Terms<N> (what
 // depends on the directions only, in two steps as in lobe.h) and reflectance<N>(terms, channel).
 // All take cos(theta_d) = h.k, the angle at the microfacet, never n.k. Sources: Schlick 1994, eq.
 // 15; Born & Wolf, "Principles of Optics", 1.5.2 and 14.2.
@@ -59,15 +59,15 @@ struct None {
     return {};
   }
   template <class N>
-  struct Stage {};
+  struct Refined {};
   template <class N>
   struct Terms {};
   template <class N>
-  static GONIO_INLINE Stage<N> stage(const Geometry<N>&) {
+  static GONIO_INLINE Refined<N> refine(const HalfVector<N>&) {
     return {};
   }
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Stage<N>&) {
+  static GONIO_INLINE Terms<N> terms(const Refined<N>&) {
     return {};
   }
   template <class N>
@@ -90,20 +90,22 @@ struct Schlick {
     return {f0, S(1) - f0};
   }
   template <class N>
-  struct Stage {
-    typename N::Real w;  // 1 - h.k
+  struct Refined {
+    typename N::Real cos_d, sin2_d;
   };
   template <class N>
   struct Terms {
     typename N::Real w5;
   };
   template <class N>
-  static GONIO_INLINE Stage<N> stage(const Geometry<N>& g) {
-    return {g.one_minus(g.cos_d())};
+  static GONIO_INLINE Refined<N> refine(const HalfVector<N>& half) {
+    return {N::root(half.cos2_d()), N::real(half.sin2_d())};
   }
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Stage<N>& g) {
-    return {(g.w * g.w) * (g.w * g.w) * g.w};
+  static GONIO_INLINE Terms<N> terms(const Refined<N>& g) {
+    using Real = typename N::Real;
+    const Real w = max(g.sin2_d, Real(0)) / (Real(1) + g.cos_d);  // 1 - h.k without cancelling
+    return {(w * w) * (w * w) * w};
   }
   template <class N>
   static GONIO_INLINE typename N::Real reflectance(const Terms<N>& t,
@@ -130,7 +132,7 @@ struct Dielectric {
     return {eta * eta, (eta - S(1)) * (eta + S(1))};
   }
   template <class N>
-  struct Stage {
+  struct Refined {
     typename N::Wide c2, s2;
   };
   template <class N>
@@ -139,11 +141,11 @@ struct Dielectric {
     typename N::Real c;
   };
   template <class N>
-  static GONIO_INLINE Stage<N> stage(const Geometry<N>& g) {
-    return {g.cos2_d(), g.sin2_d()};
+  static GONIO_INLINE Refined<N> refine(const HalfVector<N>& half) {
+    return {half.cos2_d(), half.sin2_d()};
   }
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Stage<N>& g) {
+  static GONIO_INLINE Terms<N> terms(const Refined<N>& g) {
     return {g.c2, g.s2, N::root(g.c2)};
   }
   template <class N>
@@ -178,7 +180,7 @@ struct Conductor {
     return {(eta - S(1)) * (eta + S(1)) - k * k, S(2) * eta * k};
   }
   template <class N>
-  struct Stage {
+  struct Refined {
     typename N::Wide c2, s2;
   };
   template <class N>
@@ -186,11 +188,11 @@ struct Conductor {
     typename N::Wide c2, s2, c;
   };
   template <class N>
-  static GONIO_INLINE Stage<N> stage(const Geometry<N>& g) {
-    return {g.cos2_d(), g.sin2_d()};
+  static GONIO_INLINE Refined<N> refine(const HalfVector<N>& half) {
+    return {half.cos2_d(), half.sin2_d()};
   }
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Stage<N>& g) {
+  static GONIO_INLINE Terms<N> terms(const Refined<N>& g) {
     using std::sqrt;
     return {g.c2, g.s2, sqrt(g.c2)};
   }

@@ -11,6 +11,8 @@
 // following from |a|^2 - |b|^2 = (a - b).(a + b).
 #pragma once
 
+#include <type_traits>
+
 #include "numeric/inline.h"
 #include "numeric/vec.h"
 
@@ -18,6 +20,29 @@ namespace gonio {
 
 // Lengths within this of 1 are corrected; beyond, a direction is refused.
 inline constexpr double kLengthTolerance = 1e-3;
+
+// H = wi + wo, and what follows from it alone.
+template <class N>
+struct HalfVector {
+  using Wide = typename N::Wide;
+  using Real = typename N::Real;
+  struct Nothing {};
+
+  Vec3<Wide> h;  // not normalised
+  // |wi - wo|^2, where the last digits of sin(theta_d) count.
+  [[no_unique_address]] std::conditional_t<N::kQuick, Nothing, Wide> difference2;
+
+  [[nodiscard]] GONIO_INLINE Wide length2() const { return dot(h, h); }  // 4 cos^2(theta_d)
+  [[nodiscard]] GONIO_INLINE Wide cos2_d() const { return length2() * Wide(0.25); }  // (h.k)^2
+  // sin^2(theta_d); near wi = wo it may be -1e-16 for quick numbers.
+  [[nodiscard]] GONIO_INLINE Wide sin2_d() const {
+    if constexpr (N::kQuick) {
+      return Wide(1) - length2() * Wide(0.25);
+    } else {
+      return difference2 * Wide(0.25);
+    }
+  }
+};
 
 template <class N>
 class Geometry {
@@ -27,7 +52,8 @@ class Geometry {
 
   Vec3<Wide> wi, wo;            // unit
   Vec3<Real> real_wi, real_wo;  // the same, each component to the precision of Real
-  typename N::Mask valid;       // both finite, within the tolerance and above the horizon
+  HalfVector<N> half;
+  typename N::Mask valid;  // both finite, within the tolerance and above the horizon
 
   // The directions as given, in both types.
   GONIO_INLINE Geometry(const Vec3<Wide>& wide_i, const Vec3<Wide>& wide_o,
@@ -37,12 +63,13 @@ class Geometry {
     wi = inverse_i * wide_i;
     wo = inverse_o * wide_o;
     if constexpr (N::kQuick) {
-      h_ = wi + wo;
+      half.h = wi + wo;
     } else {
-      const Vec3<Wide> sum = wide_i + wide_o;
+      const Vec3<Wide> sum = wide_i + wide_o, d = wi - wo;
       const Wide excess = dot(wide_i - wide_o, sum);  // |a|^2 - |b|^2
       const Wide product = inverse_i * inverse_o;
-      h_ = inverse_i * sum + (excess * (product * product / (inverse_i + inverse_o))) * wide_o;
+      half.h = inverse_i * sum + (excess * (product * product / (inverse_i + inverse_o))) * wide_o;
+      half.difference2 = dot(d, d);
     }
     const Real error_i = length_error(given_i), error_o = length_error(given_o);
     real_wi = N::inverse_length(error_i) * given_i;
@@ -51,6 +78,10 @@ class Geometry {
     valid = near_unit(error_i) & near_unit(error_o) & (Real(0) < min(given_i.z, given_o.z));
   }
 
+  GONIO_INLINE Real cos_i() const { return real_wi.z; }
+  GONIO_INLINE Real cos_o() const { return real_wo.z; }
+
+ private:
   // |k|^2 - 1 without losing the small difference.
   template <class T>
   static GONIO_INLINE T length_error(const Vec3<T>& k) {
@@ -62,31 +93,6 @@ class Geometry {
     const Real from_centre = e - Real(kLengthTolerance * kLengthTolerance);
     return from_centre * from_centre < Real(4 * kLengthTolerance * kLengthTolerance);
   }
-
-  GONIO_INLINE Real cos_i() const { return real_wi.z; }
-  GONIO_INLINE Real cos_o() const { return real_wo.z; }
-
-  GONIO_INLINE Vec3<Wide> h() const { return h_; }  // H, not normalised
-  GONIO_INLINE Wide h_length2() const {             // |H|^2 = 4 cos^2(theta_d)
-    const Vec3<Wide> v = h();
-    return dot(v, v);
-  }
-  GONIO_INLINE Wide cos2_d() const { return min(h_length2() * Wide(0.25), Wide(1)); }  // (h.k)^2
-  GONIO_INLINE Real cos_d() const { return N::root(cos2_d()); }                        // h.k
-  // sin^2(theta_d): |wi - wo|^2 / 4 where its last digits count.
-  GONIO_INLINE Wide sin2_d() const {
-    if constexpr (N::kQuick) {
-      return Wide(1) - cos2_d();
-    } else {
-      const Vec3<Wide> d = wi - wo;
-      return dot(d, d) * Wide(0.25);
-    }
-  }
-  // 1 - h.k, given h.k.
-  GONIO_INLINE Real one_minus(Real cos_d) const { return N::real(sin2_d()) / (Real(1) + cos_d); }
-
- private:
-  Vec3<Wide> h_;
 };
 
 }  // namespace gonio

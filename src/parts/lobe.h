@@ -32,8 +32,14 @@ struct Lobe {
 
   template <class N>
   struct Stage {
+    HalfVector<N> half;
     typename Model::template Stage<N> model;
-    [[no_unique_address]] typename Fresnel::template Stage<N> fresnel;
+  };
+
+  template <class N>
+  struct Refined {
+    typename Model::template Refined<N> model;
+    [[no_unique_address]] typename Fresnel::template Refined<N> fresnel;
   };
 
   template <class N>
@@ -55,14 +61,21 @@ struct Lobe {
   template <class N>
   static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>& shape,
                                      const Geometry<N>& g) {
-    return {Model::template stage<N>(shape, g), Fresnel::template stage<N>(g)};
+    return {g.half, Model::template stage<N>(shape, g)};
+  }
+
+  template <class N>
+  static GONIO_INLINE Refined<N> refine(const Shape<typename N::WideScalar>& shape,
+                                        const Stage<N>& stage) {
+    return {Model::template refine<N>(shape, stage.half, stage.model),
+            Fresnel::template refine<N>(stage.half)};
   }
 
   template <class N>
   static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>& shape,
-                                     const Stage<N>& stage) {
-    return {min(N::largest(), Model::template amplitude<N>(shape, stage.model)),
-            Fresnel::template terms<N>(stage.fresnel)};
+                                     const Stage<N>& stage, const Refined<N>& refined) {
+    return {min(N::largest(), Model::template amplitude<N>(shape, stage.model, refined.model)),
+            Fresnel::template terms<N>(refined.fresnel)};
   }
 
   template <class N>
