@@ -1,10 +1,11 @@
 #include "engine/evaluate.h"
 
-#include <xmmintrin.h>
+#include <emmintrin.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <cstdint>
 
 #include "engine/kernel.h"
 #include "engine/material_impl.h"
@@ -16,6 +17,10 @@ namespace {
 constexpr std::size_t kRun = 512;             // pairs that a kernel is given at a time
 constexpr std::size_t kScratchValues = 2048;  // fits the first-level cache beside the directions
 constexpr std::size_t kAlignment = 64;
+constexpr std::size_t kGrain = 16;  // pairs of the widest packet
+constexpr std::size_t kStreamedBytes = std::size_t{1} << 22;
+constexpr std::size_t kSmallestTile = 384;   // pairs worth handing to another thread that is awake
+constexpr std::size_t kBriefPairs = 12'000;  // done within the time that waking a thread takes
 
 // Results too small for a normal number become 0 while this lives: a lobe's tail is full of them,
 // and each would cost a hundred cycles. Denormal inputs keep their value.
@@ -97,7 +102,7 @@ void copy_values(const Out* from, std::size_t stride, int channels, std::size_t 
 
 template <class In, class Out>
 std::uint8_t evaluate_run(const Material::Impl& material, const Batch<In, Out>& batch,
-                          std::size_t begin, std::size_t n, const KernelTable& table) {
+                          std::size_t begin, std::size_t n, const KernelTable& table, bool stream) {
   const auto width = static_cast<std::size_t>(table.width);
   const std::size_t padded = (n + width - 1) / width * width;
   InputScratch<In> in_scratch;
@@ -108,20 +113,39 @@ std::uint8_t evaluate_run(const Material::Impl& material, const Batch<In, Out>& 
   std::fill_n(out_scratch.flags, padded, std::uint8_t{0});
 
   const bool direct = n == padded && batch.values.pair_stride == 1;
-  KernelOutput<Out> out{out_scratch.values, padded, out_scratch.flags, false};
+  KernelOutput<Out> out{out_scratch.values, padded, out_scratch.flags, Writing::store};
   if (direct) {
     out.values = batch.values.data + begin;
     out.channel_stride = static_cast<std::size_t>(batch.values.channel_stride);
+    if (stream) out.writing = Writing::stream;
   }
   for (const MaterialPart& part : material.parts) {
     choose(part.kernels(table), In(), Out())(part.constants.get(), in, out);
-    out.accumulate = true;
+    out.writing = Writing::add;
   }
   if (!direct) copy_values(out.values, padded, material.channels, n, table, batch.values, begin);
   std::uint8_t any = 0;
   for (std::size_t i = 0; i < n; ++i) any = static_cast<std::uint8_t>(any | out_scratch.flags[i]);
   if (batch.flags != nullptr) std::copy_n(out_scratch.flags, n, batch.flags + begin);
   return any;
+}
+
+// Pairs from `begin` to where the first channel's results lie at a cache line's start.
+template <class Out>
+std::size_t pairs_to_alignment(const Values<Out>& values, std::size_t begin) {
+  if (values.pair_stride != 1) return 0;
+  const auto address = reinterpret_cast<std::uintptr_t>(values.data + begin);
+  return (kAlignment - address % kAlignment) % kAlignment / sizeof(Out);
+}
+
+// Results that no cache would hold until they are read: writing them past the caches spares reading
+// their old content first.
+template <class In, class Out>
+bool should_stream(const Material::Impl& material, const Batch<In, Out>& batch) {
+  const auto channels = static_cast<std::size_t>(material.channels);
+  const auto stride = static_cast<std::size_t>(batch.values.channel_stride) * sizeof(Out);
+  return batch.count * channels * sizeof(Out) >= kStreamedBytes && material.parts.size() == 1 &&
+         (channels == 1 || stride % kAlignment == 0) && batch.values.pair_stride == 1;
 }
 
 template <class In, class Out>
@@ -131,33 +155,38 @@ std::uint8_t evaluate_span(const Material& material, const Batch<In, Out>& batch
   const KernelTable& table = kernels(isa);
   const Material::Impl& impl = material.impl();
   const std::size_t by_channels =
-      kScratchValues / static_cast<std::size_t>(impl.channels) / 16 * 16;
+      kScratchValues / static_cast<std::size_t>(impl.channels) / kGrain * kGrain;
   const std::size_t run = std::min(kRun, by_channels);
+  const bool stream = should_stream(impl, batch);
   const FlushToZero flush;
   std::uint8_t any = 0;
-  for (std::size_t at = begin; at < end; at += run) {
-    any = static_cast<std::uint8_t>(any |
-                                    evaluate_run(impl, batch, at, std::min(run, end - at), table));
+  for (std::size_t at = begin, n = 0; at < end; at += n) {
+    const std::size_t lead = pairs_to_alignment(batch.values, at), left = end - at;
+    n = std::min(lead > 0 ? lead : run, left);
+    if (n > kGrain) n = n / kGrain * kGrain;  // whole packets, which need no copy; then the rest
+    any = static_cast<std::uint8_t>(any | evaluate_run(impl, batch, at, n, table, stream));
   }
+  if (stream) _mm_sfence();  // whoever is told of the end sees the results
   return any;
 }
 
 template <class In, class Out>
 std::uint8_t evaluate_parallel(const Material& material, const Batch<In, Out>& batch, Isa isa,
                                ThreadPool& pool) {
-  // Waking a thread costs what a thousand pairs do.
-  const std::size_t tile =
-      std::clamp(batch.count / static_cast<std::size_t>(2 * pool.threads() + 2), std::size_t{1024},
-                 kTilePairs);
-  const std::size_t size = (tile + 15) / 16 * 16;
-  const std::size_t tiles = (batch.count + size - 1) / size;
-  if (tiles <= 1) return evaluate_span(material, batch, 0, batch.count, isa);
+  // Two tiles a thread even out what else the machine does; but small ones cost more than they do.
+  const auto sharers = static_cast<std::size_t>(pool.threads()) + 1;
+  const std::size_t fair = batch.count / (batch.count < kBriefPairs ? sharers : 2 * sharers);
+  const std::size_t size =
+      (std::clamp(fair, kSmallestTile, kTilePairs) + kGrain - 1) / kGrain * kGrain;
+  const std::size_t lead = pairs_to_alignment(batch.values, 0);
+  const std::size_t tiles = batch.count <= lead ? 1 : (batch.count - lead + size - 1) / size;
   std::atomic<std::uint8_t> any{0};
-  pool.run(tiles, [&](std::size_t i) {
-    any.fetch_or(
-        evaluate_span(material, batch, i * size, std::min((i + 1) * size, batch.count), isa),
-        std::memory_order_relaxed);
-  });
+  const auto tile = [&](std::size_t i) {
+    const std::size_t begin = i == 0 ? 0 : lead + i * size;
+    const std::size_t end = std::min(lead + (i + 1) * size, batch.count);
+    any.fetch_or(evaluate_span(material, batch, begin, end, isa), std::memory_order_relaxed);
+  };
+  pool.run(tiles, tile, batch.count < kBriefPairs);
   return any.load();
 }
 

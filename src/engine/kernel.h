@@ -20,14 +20,18 @@ struct KernelInput {
   std::size_t count;
 };
 
+// How results are written: to a place, onto what is there, or past the caches (for results larger
+// than those, at places aligned to 64 bytes in every channel).
+enum class Writing { store, add, stream };
+
 // Channel c of pair i goes to values[c * channel_stride + i]. Flags of bad pairs are written, those
-// of good ones are not touched. With `accumulate` the values are added to what is there.
+// of good ones are not touched.
 template <class Out>
 struct KernelOutput {
   Out* values;
   std::size_t channel_stride;
   std::uint8_t* flags;
-  bool accumulate;
+  Writing writing;
 };
 
 // A model's constants for all channels, as prepared by prepare.h, behind `constants`.

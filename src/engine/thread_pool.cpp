@@ -1,7 +1,10 @@
 #include "engine/thread_pool.h"
 
+#include <immintrin.h>
+
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -11,14 +14,32 @@
 namespace gonio {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+// Sleeping and being woken costs some ten microseconds: who has just worked for a caller that
+// waits looks for more this long before sleeping.
+constexpr std::chrono::microseconds kAlert{50};
+
 struct Active {
   ThreadPool::Job job;
+  bool awaited = false;     // a caller waits for it now, and may soon have the next
   std::size_t next = 0;     // guarded by the pool's mutex
   std::size_t running = 0;  // tiles begun and not ended; guarded
   bool stopped = false;     // guarded
 };
 
 using ActivePtr = std::shared_ptr<Active>;
+
+// Returns when `ready` holds or kAlert is over.
+void stay_alert(const auto& ready) {
+  const Clock::time_point end = Clock::now() + kAlert;
+  do {
+    for (int i = 0; i < 16; ++i) {
+      if (ready()) return;
+      _mm_pause();
+    }
+  } while (Clock::now() < end);
+}
 
 }  // namespace
 
@@ -28,8 +49,20 @@ struct ThreadPool::State {
   std::deque<ActivePtr> ready;  // jobs with tiles left to begin; turned round after each tile
   std::size_t max_jobs = 0;
   std::size_t jobs = 0;
+  std::size_t asleep = 0;                 // threads; guarded
+  std::atomic<std::size_t> waiting{0};    // the size of `ready`, to be looked at without the mutex
+  std::atomic<Clock::rep> last_brief{0};  // when a brief run was last asked for
   bool closing = false;
   std::vector<std::thread> threads;
+
+  void put(const ActivePtr& active) {
+    ready.push_back(active);
+    waiting.store(ready.size());
+  }
+  void remove(const ActivePtr& active) {
+    std::erase(ready, active);
+    waiting.store(ready.size());
+  }
 
   // Takes the next tile of the job at the front. The caller holds the mutex.
   ActivePtr take(std::size_t& tile) {
@@ -38,6 +71,7 @@ struct ThreadPool::State {
     tile = active->next++;
     ++active->running;
     if (active->next < active->job.tiles) ready.push_back(active);
+    waiting.store(ready.size());
     return active;
   }
 
@@ -51,7 +85,7 @@ struct ThreadPool::State {
       if (stop && !active->stopped) {
         active->stopped = true;
         active->next = active->job.tiles;
-        std::erase(ready, active);
+        remove(active);
       }
       last = --active->running == 0 && active->next >= active->job.tiles;
       // Its place is free before `done` is told, which may submit the next job.
@@ -64,28 +98,51 @@ struct ThreadPool::State {
   void work_on() {
     std::unique_lock lock(mutex);
     for (;;) {
+      ++asleep;
       work.wait(lock, [this] { return !ready.empty() || (closing && jobs == 0); });
+      --asleep;
       if (ready.empty()) return;
       std::size_t tile = 0;
       ActivePtr active = take(tile);
       lock.unlock();
       run(active, tile);
+      if (active->awaited) stay_alert([this] { return waiting.load() != 0; });
       active.reset();
       lock.lock();
     }
   }
 
-  void add(ActivePtr active) {
-    const std::size_t tiles = active->job.tiles;
+  void add(const ActivePtr& active) {
+    std::size_t wanted = 0;
     {
       const std::lock_guard lock(mutex);
-      ready.push_back(std::move(active));
+      put(active);
+      wanted = std::min(active->job.tiles, asleep);
     }
-    wake(tiles);
+    for (std::size_t i = 0; i < wanted; ++i) work.notify_one();
   }
 
-  void wake(std::size_t tiles) {
-    for (std::size_t i = 0; i < std::min(tiles, threads.size()); ++i) work.notify_one();
+  // Takes back the tiles of an awaited job that no thread has begun: the work is done. True if none
+  // was begun, or all have ended.
+  bool withdraw(const ActivePtr& active) {
+    const std::lock_guard lock(mutex);
+    if (active->next == active->job.tiles) return false;
+    active->next = active->job.tiles;
+    remove(active);
+    if (active->running != 0) return false;
+    --jobs;
+    if (closing) work.notify_all();
+    return true;
+  }
+
+  // Whether brief work should be shared: a thread is awake, or such work comes so often that waking
+  // one pays with the next.
+  bool shares_brief() {
+    const Clock::rep now = Clock::now().time_since_epoch().count();
+    const Clock::rep before = last_brief.exchange(now);
+    if (Clock::duration(now - before) < kAlert) return true;
+    const std::lock_guard lock(mutex);
+    return asleep < threads.size();
   }
 };
 
@@ -110,52 +167,39 @@ bool ThreadPool::submit(Job&& job) {
     if (state_->jobs >= state_->max_jobs) return false;
     if (job.tiles > 0) ++state_->jobs;
   }
-  auto active = std::make_shared<Active>(Active{std::move(job)});
-  if (active->job.tiles > 0) return state_->add(std::move(active)), true;
+  const auto active = std::make_shared<Active>(Active{std::move(job)});
+  if (active->job.tiles > 0) return state_->add(active), true;
   if (active->job.done) active->job.done(true);
   return true;
 }
 
-void ThreadPool::run(std::size_t tiles, const std::function<void(std::size_t)>& body) {
+void ThreadPool::run(std::size_t tiles, const std::function<void(std::size_t)>& body, bool brief) {
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   std::condition_variable finished;
-  bool done = false;
+  std::atomic<bool> done = false;  // set under the mutex
   const auto drain = [&](std::size_t) {
     for (std::size_t i = next.fetch_add(1); i < tiles; i = next.fetch_add(1)) body(i);
   };
   // One tile of the job for each helper: a helper that comes late finds nothing left to do.
   const std::size_t helpers = std::min(tiles - 1, state_->threads.size());
-  auto active = std::make_shared<Active>(Active{{helpers, drain, {}, [&](bool) {
-                                                   const std::lock_guard lock(mutex);
-                                                   done = true;
-                                                   finished.notify_one();
-                                                 }}});
-  if (tiles > 0 && helpers > 0) {
-    {
-      const std::lock_guard lock(state_->mutex);
-      ++state_->jobs;
-    }
-    state_->add(active);
-    drain(0);
-    // Helpers that have not begun are not waited for: the work is done.
-    {
-      const std::lock_guard lock(state_->mutex);
-      if (active->next < active->job.tiles) {
-        active->next = active->job.tiles;
-        std::erase(state_->ready, active);
-        if (active->running == 0) {
-          --state_->jobs;
-          if (state_->closing) state_->work.notify_all();
-          return;
-        }
-      }
-    }
-    std::unique_lock lock(mutex);
-    finished.wait(lock, [&] { return done; });
-    return;
+  if (tiles <= 1 || (brief && !state_->shares_brief())) return drain(0);
+  const auto end = [&](bool) {
+    const std::lock_guard lock(mutex);
+    done = true;
+    finished.notify_one();
+  };
+  const auto active = std::make_shared<Active>(Active{{helpers, drain, {}, end}, true});
+  {
+    const std::lock_guard lock(state_->mutex);
+    ++state_->jobs;
   }
+  state_->add(active);
   drain(0);
+  if (state_->withdraw(active)) return;
+  stay_alert([&] { return done.load(); });
+  std::unique_lock lock(mutex);
+  finished.wait(lock, [&] { return done.load(); });
 }
 
 int ThreadPool::threads() const { return static_cast<int>(state_->threads.size()); }

@@ -31,8 +31,10 @@ class ThreadPool {
   [[nodiscard]] bool submit(Job&& job);
 
   // Runs body(0) ... body(tiles - 1) on the pool and the calling thread; returns when all are done.
-  // Never refused.
-  void run(std::size_t tiles, const std::function<void(std::size_t tile)>& body);
+  // Never refused. `brief` says that all of it takes no longer than waking a thread: it is then
+  // shared with threads that are still awake from the work before, if any.
+  void run(std::size_t tiles, const std::function<void(std::size_t tile)>& body,
+           bool brief = false);
 
   [[nodiscard]] int threads() const;
   [[nodiscard]] std::size_t jobs() const;  // queued or running

@@ -15,7 +15,7 @@ GONIO_INLINE T polynomial(T x, const double (&c)[N]) {
 }
 
 // (w/s) log2(1 + s/c), given a = s + c, for s >= 0, c >= 0 (quick: c > 1e-150, as of float32
-// cosines) and w = 0 where s = 0: the logarithm to a relative error of 3e-9 (quick), 1e-15 (exact),
+// cosines) and w = 0 where s = 0: the logarithm to a relative error of 4e-9 (quick), 1e-15 (exact),
 // down to the smallest s.
 //
 // With k near log2(a/c) it is k plus the series of 2 artanh(z) / log 2, z = (a - c 2^k) /
@@ -49,7 +49,7 @@ GONIO_INLINE Double<E> weighted_log2_1p(Double<E> w, Double<E> s, Double<E> c, D
 }
 
 // amplitude * 2^x for x <= 0 and amplitude < 2^127, without underflow before the product. Relative
-// error 2e-7; x below -255 counts as -255.
+// error 2.5e-7; x below -255 counts as -255.
 GONIO_INLINE Float times_exp2(Float amplitude, Double<Exactness::quick> x) {
   // 2^(m - 1) on [1, 2], minimax, relative error 2e-9 before rounding to float.
   static constexpr double kExp2[] = {

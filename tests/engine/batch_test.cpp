@@ -65,65 +65,95 @@ TYPED_TEST(BatchOf, AnySizeGivesTheSame) {
   });
 }
 
-TYPED_TEST(BatchOf, AnyLayoutGivesTheSame) {
-  using In = typename TypeParam::In;
-  using Out = typename TypeParam::Out;
-  for (const std::size_t count :
-       {std::size_t{1}, std::size_t{37}, std::size_t{512}, std::size_t{1003}}) {
-    const Pairs<In> pairs = random_pairs<In>(count, 2);
-    // As separate arrays, and every fifth of one array.
-    std::array<std::vector<In>, 6> separate;
-    std::vector<In> spread(count * 30, In(9));
-    for (std::size_t i = 0; i < count; ++i) {
+// The same pairs as separate arrays, and as every fifth number of one array.
+template <class In>
+struct Layouts {
+  explicit Layouts(const Pairs<In>& pairs) : spread(pairs.size() * 30, In(9)) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
       for (std::size_t c = 0; c < 6; ++c) {
         const In value = c < 3 ? pairs.wi[3 * i + c] : pairs.wo[3 * i + c - 3];
         separate[c].push_back(value);
         spread[30 * i + 5 * c] = value;
       }
     }
-    struct Layout {
-      Directions<In> wi, wo;
+    const auto apart = [&](std::size_t c) {
+      return Directions<In>::separate(separate[c].data(), separate[c + 1].data(),
+                                      separate[c + 2].data());
     };
-    const std::vector<Layout> inputs{
-        {Directions<In>::interleaved(pairs.wi.data()),
-         Directions<In>::interleaved(pairs.wo.data())},
-        {Directions<In>::separate(separate[0].data(), separate[1].data(), separate[2].data()),
-         Directions<In>::separate(separate[3].data(), separate[4].data(), separate[5].data())},
-        {{spread.data(), spread.data() + 5, spread.data() + 10, 30},
-         {spread.data() + 15, spread.data() + 20, spread.data() + 25, 30}},
-        {Directions<In>::separate(separate[0].data(), separate[1].data(), separate[2].data()),
-         Directions<In>::interleaved(pairs.wo.data())}};
+    const auto together = [](const std::vector<In>& w) {
+      return Directions<In>::interleaved(w.data());
+    };
+    const In* s = spread.data();
+    all = {{together(pairs.wi), together(pairs.wo)},
+           {apart(0), apart(3)},
+           {{s, s + 5, s + 10, 30}, {s + 15, s + 20, s + 25, 30}},
+           {apart(0), together(pairs.wo)}};
+  }
+  std::array<std::vector<In>, 6> separate;
+  std::vector<In> spread;
+  std::vector<std::pair<Directions<In>, Directions<In>>> all;  // wi and wo
+};
+
+// The strides of pairs and channels of results.
+std::vector<std::pair<std::size_t, std::size_t>> strides(std::size_t count, std::size_t channels) {
+  return {{channels, 1},     {1, count},     {channels + 3, 1},
+          {3 * channels, 3}, {1, count + 5}, {2, 2 * count}};
+}
+
+TYPED_TEST(BatchOf, AnyLayoutGivesTheSame) {
+  using In = typename TypeParam::In;
+  using Out = typename TypeParam::Out;
+  for (const std::size_t count : {1, 37, 512, 1003}) {
+    const Pairs<In> pairs = random_pairs<In>(count, 2);
+    const Layouts<In> layouts(pairs);
     this->for_all([&](const Material& material, Isa isa) {
-      const int channels = material.channels();
-      const auto n = static_cast<std::size_t>(channels);
+      const auto n = static_cast<std::size_t>(material.channels());
       const std::vector<Out> want = this->one_by_one(material, pairs, isa);
-      for (const Layout& input : inputs) {
-        for (const auto& [pair_stride, channel_stride] :
-             {std::pair{n, std::size_t{1}}, std::pair{std::size_t{1}, count},
-              std::pair{n + 3, std::size_t{1}}, std::pair{3 * n, std::size_t{3}},
-              std::pair{std::size_t{1}, count + 5}, std::pair{std::size_t{2}, 2 * count}}) {
+      for (const auto& [wi, wo] : layouts.all) {
+        for (const auto& [pair, channel] : strides(count, n)) {
           std::vector<Out> got(2 * (count + 5) * (n + 3) + 3 * n * count);
-          std::vector<std::uint8_t> flags(count, 255);
-          evaluate(material,
-                   Batch<In, Out>{input.wi,
-                                  input.wo,
-                                  count,
-                                  {got.data(), static_cast<std::ptrdiff_t>(pair_stride),
-                                   static_cast<std::ptrdiff_t>(channel_stride)},
-                                  flags.data()},
-                   isa);
-          for (std::size_t i = 0; i < count; ++i) {
-            ASSERT_EQ(flags[i], 0);
-            for (std::size_t c = 0; c < n; ++c) {
-              ASSERT_TRUE(
-                  same_bits(&got[i * pair_stride + c * channel_stride], &want[i * n + c], 1))
-                  << "pair " << i << " of " << count << ", channel " << c << ", strides "
-                  << pair_stride << " " << channel_stride;
-            }
+          const Values<Out> to{got.data(), static_cast<std::ptrdiff_t>(pair),
+                               static_cast<std::ptrdiff_t>(channel)};
+          EXPECT_EQ(evaluate(material, Batch<In, Out>{wi, wo, count, to, nullptr}, isa), 0);
+          for (std::size_t k = 0; k < count * n; ++k) {
+            const std::size_t i = k / n, c = k % n;
+            ASSERT_TRUE(same_bits(&got[i * pair + c * channel], &want[k], 1))
+                << "pair " << i << " of " << count << ", channel " << c << ", strides " << pair
+                << " " << channel;
           }
         }
       }
     });
+  }
+}
+
+// Results of several megabytes go past the caches; at places that are aligned or not.
+TYPED_TEST(BatchOf, ManyPairsGiveTheSame) {
+  using In = typename TypeParam::In;
+  using Out = typename TypeParam::Out;
+  for (const NamedMaterial& m : this->materials_) {
+    const auto channels = static_cast<std::size_t>(m.material.channels());
+    const std::size_t count = (std::size_t{1} << 22) / sizeof(Out) / channels + 37;
+    const std::size_t stride = (count + 15) / 16 * 16;
+    const Pairs<In> pairs = random_pairs<In>(count, 4);
+    std::vector<Out> want(count * channels);
+    for (std::size_t i = 0; i < count; i += 1000) {
+      evaluate(m.material,
+               batch_of(pairs, i, std::min<std::size_t>(1000, count - i), &want[i * channels],
+                        m.material.channels(), nullptr),
+               best_isa());
+    }
+    ThreadPool pool(1, 1);
+    for (const std::size_t offset : {0, 1, 16}) {
+      std::vector<Out> got(stride * channels + offset);
+      auto batch = batch_of(pairs, 0, count, got.data(), m.material.channels(), nullptr);
+      batch.values = {got.data() + offset, 1, static_cast<std::ptrdiff_t>(stride)};
+      evaluate(m.material, batch, best_isa(), pool);
+      for (std::size_t k = 0; k < count * channels; ++k) {
+        ASSERT_TRUE(same_bits(&got[offset + k % channels * stride + k / channels], &want[k], 1))
+            << m.name << ", pair " << k / channels << ", offset " << offset;
+      }
+    }
   }
 }
 

@@ -49,6 +49,17 @@ TEST(ThreadPool, RunReturnsWhenAllTilesAreDone) {
   }
 }
 
+TEST(ThreadPool, BriefRunsAreDoneWhetherSharedOrNot) {
+  ThreadPool pool(2, 1);
+  std::atomic<int> sum{0};
+  for (int i = 0; i < 20000; ++i) {
+    if (i % 5000 == 4999) std::this_thread::sleep_for(std::chrono::milliseconds(2));  // all asleep
+    pool.run(
+        3, [&](std::size_t t) { sum += static_cast<int>(t) + 1; }, true);
+    ASSERT_EQ(sum.load(), 6 * (i + 1));
+  }
+}
+
 // Holds the pool's only thread until it is let go.
 class Blocker {
  public:

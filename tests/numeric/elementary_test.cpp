@@ -1,0 +1,143 @@
+// Each elementary function holds the error that numeric/elementary.h states, on every instruction
+// set that this machine has.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include "engine/isa.h"
+#include "numeric/functions.h"
+
+namespace gonio {
+namespace {
+
+constexpr std::size_t kCount = 1 << 16;
+
+const testing::Functions& functions(Isa isa) {
+  switch (isa) {
+    case Isa::avx512:
+      return avx512::kFunctions;
+    case Isa::avx2:
+      return avx2::kFunctions;
+    default:
+      return baseline::kFunctions;
+  }
+}
+
+// 2^(a uniform exponent between `low` and `high`).
+std::vector<double> powers(double low, double high, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> exponent(low, high);
+  std::vector<double> all(kCount);
+  for (double& x : all) x = std::exp2(exponent(random));
+  return all;
+}
+
+template <class Number>
+long double worst_relative(const std::vector<Number>& got,
+                           const std::function<long double(std::size_t)>& truth) {
+  long double worst = 0;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    const long double want = truth(i);
+    const long double error = std::fabs(static_cast<long double>(got[i]) - want) / std::fabs(want);
+    // A NaN is worse than anything.
+    worst = error <= worst ? worst : error;
+  }
+  return worst;
+}
+
+class Elementary : public ::testing::TestWithParam<Isa> {
+ protected:
+  const testing::Functions& use = functions(GetParam());
+  std::vector<double> out = std::vector<double>(kCount);
+};
+
+TEST_P(Elementary, LogarithmOverTheWholeRange) {
+  const auto w = powers(-20, 27, 1), c = powers(-130, 2, 2);
+  auto s = powers(-120, 40, 3);
+  for (std::size_t i = 0; i < kCount; ++i) s[i] *= c[i];  // s/c from 1e-36 to 1e12
+  const auto truth = [&](std::size_t i) {
+    const long double ratio = static_cast<long double>(s[i]) / c[i];
+    return static_cast<long double>(w[i]) / s[i] * std::log1p(ratio) / std::log(2.0L);
+  };
+  use.weighted_log2_quick(w.data(), s.data(), c.data(), kCount, out.data());
+  EXPECT_LT(worst_relative(out, truth), 4e-9L);
+  use.weighted_log2_exact(w.data(), s.data(), c.data(), kCount, out.data());
+  EXPECT_LT(worst_relative(out, truth), 2e-15L);
+}
+
+TEST_P(Elementary, LogarithmAtTheNormalIsZero) {
+  const std::vector<double> zero(kCount), c(kCount, 4.0);
+  use.weighted_log2_quick(zero.data(), zero.data(), c.data(), kCount, out.data());
+  EXPECT_EQ(out, zero);
+  use.weighted_log2_exact(zero.data(), zero.data(), c.data(), kCount, out.data());
+  EXPECT_EQ(out, zero);
+}
+
+TEST_P(Elementary, ExponentialOfFloats) {
+  auto x = powers(-40, 7.3, 4);
+  for (double& v : x) v = -v;
+  x[0] = 0, x[1] = -1, x[2] = -100, x[3] = -0x1p-60, x[4] = -1 + 0x1p-40;
+  const std::vector<float> amplitude(kCount, 1e30F);
+  std::vector<float> got(kCount);
+  use.times_exp2_quick(amplitude.data(), x.data(), kCount, got.data());
+  const auto truth = [&](std::size_t i) {
+    return static_cast<long double>(amplitude[i]) * std::exp2(static_cast<long double>(x[i]));
+  };
+  EXPECT_LT(worst_relative(got, truth), 2.5e-7L);
+}
+
+TEST_P(Elementary, ExponentialOfFloatsBeyondTheRangeIsNearlyZero) {
+  std::vector<double> x(kCount, -1e12);
+  x[0] = -255, x[1] = -256, x[2] = -1e300, x[3] = -HUGE_VAL;
+  const std::vector<float> amplitude(kCount, 1e37F);
+  std::vector<float> got(kCount, -1.0F);
+  use.times_exp2_quick(amplitude.data(), x.data(), kCount, got.data());
+  for (const float v : got) ASSERT_TRUE(v >= 0 && v < 1e-38F) << v;
+}
+
+TEST_P(Elementary, ExponentialOfDoubles) {
+  auto x = powers(-40, 9.9, 5);
+  for (double& v : x) v = -v;
+  const std::vector<double> amplitude(kCount, 1e10);
+  use.times_exp2_exact(amplitude.data(), x.data(), kCount, out.data());
+  long double worst = 0;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const long double want = 1e10L * std::exp2(static_cast<long double>(x[i]));
+    const long double stated = 5e-16L * (1 - static_cast<long double>(x[i]));
+    worst = std::max(worst, std::fabs(out[i] - want) / want / stated);
+  }
+  EXPECT_LT(worst, 1);
+}
+
+TEST_P(Elementary, Angle) {
+  const auto y = powers(-30, 30, 6), x = powers(-30, 30, 7);
+  const auto worst = [&] {
+    long double error = 0;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const long double want = std::atan2(static_cast<long double>(y[i]), x[i]);
+      error = std::max(error, std::fabs(out[i] - want));
+    }
+    return error;
+  };
+  use.angle_quick(y.data(), x.data(), kCount, out.data());
+  EXPECT_LT(worst(), 1e-10L);
+  use.angle_exact(y.data(), x.data(), kCount, out.data());
+  EXPECT_LT(worst(), 3e-16L);
+}
+
+TEST_P(Elementary, QuickDivision) {
+  const auto a = powers(-300, 300, 8), b = powers(-300, 300, 9);
+  use.divide_quick(a.data(), b.data(), kCount, out.data());
+  EXPECT_LT(
+      worst_relative(out, [&](std::size_t i) { return a[i] / static_cast<long double>(b[i]); }),
+      0x1p-42L);
+}
+
+INSTANTIATE_TEST_SUITE_P(EachIsa, Elementary, ::testing::ValuesIn(supported_isas()),
+                         [](const auto& at) { return std::string(name_of(at.param)); });
+
+}  // namespace
+}  // namespace gonio

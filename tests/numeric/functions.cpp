@@ -1,0 +1,48 @@
+// Compiled once per instruction set, as the kernels are.
+#include "numeric/functions.h"
+
+#include "numeric/elementary.h"
+
+namespace gonio::GONIO_ISA {
+namespace {
+
+using Quick = Double<Exactness::quick>;
+using Exact = Double<Exactness::exact>;
+
+template <class D>
+void weighted_log2(const double* w, const double* s, const double* c, std::size_t n, double* out) {
+  for (std::size_t i = 0; i < n; i += raw::kWidth) {
+    const D sum = D::load(s + i) + D::load(c + i);
+    weighted_log2_1p(D::load(w + i), D::load(s + i), D::load(c + i), sum).store(out + i);
+  }
+}
+
+template <class Amplitude, class D, class Number>
+void exp2(const Number* amplitude, const double* x, std::size_t n, Number* out) {
+  for (std::size_t i = 0; i < n; i += raw::kWidth)
+    times_exp2(Amplitude::load(amplitude + i), D::load(x + i)).store(out + i);
+}
+
+template <class D>
+void angle(const double* y, const double* x, std::size_t n, double* out) {
+  for (std::size_t i = 0; i < n; i += raw::kWidth)
+    first_quadrant_angle(D::load(y + i), D::load(x + i)).store(out + i);
+}
+
+void divide(const double* a, const double* b, std::size_t n, double* out) {
+  for (std::size_t i = 0; i < n; i += raw::kWidth)
+    (Quick::load(a + i) / Quick::load(b + i)).store(out + i);
+}
+
+}  // namespace
+
+extern const testing::Functions kFunctions;  // NOLINT(readability-redundant-declaration): linkage
+const testing::Functions kFunctions{&weighted_log2<Quick>,
+                                    &weighted_log2<Exact>,
+                                    &exp2<Float, Quick>,
+                                    &exp2<Exact, Exact>,
+                                    &angle<Quick>,
+                                    &angle<Exact>,
+                                    &divide};
+
+}  // namespace gonio::GONIO_ISA

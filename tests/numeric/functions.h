@@ -1,0 +1,31 @@
+// The elementary functions of every instruction set, over arrays: tables like the kernels' own.
+#pragma once
+
+#include <cstddef>
+
+namespace gonio::testing {
+
+// Arrays hold a multiple of 16 numbers.
+struct Functions {
+  void (*weighted_log2_quick)(const double* w, const double* s, const double* c, std::size_t n,
+                              double* out);
+  void (*weighted_log2_exact)(const double* w, const double* s, const double* c, std::size_t n,
+                              double* out);
+  void (*times_exp2_quick)(const float* amplitude, const double* x, std::size_t n, float* out);
+  void (*times_exp2_exact)(const double* amplitude, const double* x, std::size_t n, double* out);
+  void (*angle_quick)(const double* y, const double* x, std::size_t n, double* out);
+  void (*angle_exact)(const double* y, const double* x, std::size_t n, double* out);
+  void (*divide_quick)(const double* a, const double* b, std::size_t n, double* out);
+};
+
+}  // namespace gonio::testing
+
+namespace gonio::baseline {
+extern const testing::Functions kFunctions;
+}
+namespace gonio::avx2 {
+extern const testing::Functions kFunctions;
+}
+namespace gonio::avx512 {
+extern const testing::Functions kFunctions;
+}
