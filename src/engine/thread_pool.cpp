@@ -1,24 +1,17 @@
 #include "engine/thread_pool.h"
 
-#include <immintrin.h>
-
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
 #include <thread>
 #include <vector>
 
+#include "engine/stay_alert.h"
+
 namespace gonio {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-// Sleeping and being woken costs some ten microseconds: who has just worked for a caller that
-// waits looks for more this long before sleeping.
-constexpr std::chrono::microseconds kAlert{50};
 
 struct Active {
   ThreadPool::Job job;
@@ -29,17 +22,6 @@ struct Active {
 };
 
 using ActivePtr = std::shared_ptr<Active>;
-
-// Returns when `ready` holds or kAlert is over.
-void stay_alert(const auto& ready) {
-  const Clock::time_point end = Clock::now() + kAlert;
-  do {
-    for (int i = 0; i < 16; ++i) {
-      if (ready()) return;
-      _mm_pause();
-    }
-  } while (Clock::now() < end);
-}
 
 }  // namespace
 
