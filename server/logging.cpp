@@ -71,15 +71,14 @@ void take_protobuf_log(google::protobuf::LogLevel severity, const char*, int,
 }  // namespace
 
 void JsonFormatter::format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& out) {
-  using namespace std::chrono;
   const auto since_epoch = message.time.time_since_epoch();
-  const std::time_t seconds = duration_cast<std::chrono::seconds>(since_epoch).count();
+  const std::time_t seconds = std::chrono::duration_cast<std::chrono::seconds>(since_epoch).count();
   std::tm utc{};
   gmtime_r(&seconds, &utc);
   char date[32];
   std::strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%S", &utc);
   fmt::format_to(std::back_inserter(out), R"({{"time":"{}.{:03}Z","level":"{}","message":")", date,
-                 duration_cast<milliseconds>(since_epoch).count() % 1000,
+                 std::chrono::duration_cast<std::chrono::milliseconds>(since_epoch).count() % 1000,
                  view(spdlog::level::to_string_view(message.level)));
   append_escaped(view(message.payload), out);
   fmt::format_to(std::back_inserter(out), "\"}}\n");

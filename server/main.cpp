@@ -1,6 +1,8 @@
 // goniod: serves material evaluation over gRPC.
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <cstdio>
+#include <exception>
 #include <iostream>
 
 #include "base/version.h"
@@ -103,7 +105,7 @@ int serve(Arguments& arguments, const sigset_t& signals) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   CLI::App app("goniod serves batched BRDF evaluation over gRPC. Stop it with SIGTERM or Ctrl-C.",
                "goniod");
   Arguments arguments;
@@ -116,4 +118,7 @@ int main(int argc, char** argv) {
   gonio::keep_freed_memory();
   const sigset_t signals = block_stop_signals();
   return serve(arguments, signals);
+} catch (const std::exception& error) {  // out of memory, or of threads
+  std::fprintf(stderr, "goniod: error: %s\n", error.what());
+  return kFailed;
 }

@@ -9,7 +9,7 @@
 #include "client/client.h"
 #include "server/server.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): theirs
 class App;
 }
 

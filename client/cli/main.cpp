@@ -1,6 +1,7 @@
 // gonio: the command line.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <exception>
 #include <string>
 
 #include "base/version.h"
@@ -30,7 +31,7 @@ Exit status: 0 done; 1 failed on the way; 2 wrong arguments, files or materials;
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   using gonio::cli::exit_bad_input;
   CLI::App app(kDescription, "gonio");
   app.footer(kFooter);
@@ -52,4 +53,7 @@ int main(int argc, char** argv) {
     if (command.arguments->parsed()) return command.run();
   }
   return exit_bad_input;
+} catch (const std::exception& error) {  // out of memory
+  std::fprintf(stderr, "gonio: error: %s\n", error.what());
+  return gonio::cli::exit_failed;
 }

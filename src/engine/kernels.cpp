@@ -165,7 +165,7 @@ void join_channels(const T* __restrict planar, std::size_t channel_stride, int c
 
 }  // namespace
 
-extern const KernelTable kKernels;
+extern const KernelTable kKernels;  // NOLINT(readability-redundant-declaration): linkage
 const KernelTable kKernels{
     .width = raw::kWidth,
     .analytic = kAnalytic.data(),

@@ -79,7 +79,9 @@ Material Material::from_table(std::shared_ptr<const MeasuredTable> table,
     MeasuredConstants constants;
     std::shared_ptr<const MeasuredTable> table;
   };
-  auto owner = std::make_shared<Owner>(Owner{{table->data()}, table});
+  auto owner = std::make_shared<Owner>();
+  owner->constants = {table->data()};
+  owner->table = std::move(table);
   const MeasuredConstants* constants = &owner->constants;
   impl->parts.push_back({interpolation == Interpolation::linear
                              ? MaterialPart::Source::measured_linear
