@@ -95,11 +95,11 @@ Outcome ArrayReceiver<Out>::accept(const OutgoingChunk& chunk, const wire::Respo
   }
   answer.bytes.copy(answer.values.offset, answer.values.count * sizeof(Out),
                     &values_[chunk.first * channels]);
-  if (flags_.empty()) {
+  if (!flags_.empty()) {
+    take_flags(answer, flags_.subspan(chunk.first, chunk.pairs), report);
+  } else if (answer.flags.count != 0) {
     scratch_.resize(chunk.pairs);
     take_flags(answer, scratch_, report);
-  } else {
-    take_flags(answer, flags_.subspan(chunk.first, chunk.pairs), report);
   }
   return Ok{};
 }
