@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <new>
 #include <string>
 
@@ -49,9 +48,7 @@ template <class In>
 grpc::Slice ArraySource<In>::slice_of(const In* data, std::size_t bytes) {
   constexpr std::size_t kWorthLending = 16384;  // below, a copy costs less than the bookkeeping
   if (loan_ != nullptr && bytes >= kWorthLending) return loan_->lend(data, bytes);
-  grpc::Slice slice = allocate_slice(bytes);
-  std::memcpy(writable<In>(slice), data, bytes);
-  return slice;
+  return {data, bytes};
 }
 
 template <class In>
@@ -98,11 +95,11 @@ Outcome ArrayReceiver<Out>::accept(const OutgoingChunk& chunk, const wire::Respo
   }
   answer.bytes.copy(answer.values.offset, answer.values.count * sizeof(Out),
                     &values_[chunk.first * channels]);
-  if (flags_.empty()) {
+  if (!flags_.empty()) {
+    take_flags(answer, flags_.subspan(chunk.first, chunk.pairs), report);
+  } else if (answer.flags.count != 0) {
     scratch_.resize(chunk.pairs);
     take_flags(answer, scratch_, report);
-  } else {
-    take_flags(answer, flags_.subspan(chunk.first, chunk.pairs), report);
   }
   return Ok{};
 }

@@ -82,10 +82,6 @@ InstructionSet instruction_set_of(gonio::v1::InstructionSet set) {
   }
 }
 
-Precision precision_of(gonio::v1::Precision precision) {
-  return precision == gonio::v1::PRECISION_REFERENCE ? Precision::reference : Precision::fast;
-}
-
 ErrorBound error_bound_of(const gonio::v1::ErrorBound& bound) {
   return {bound.relative(), bound.above(), bound.cosine(), bound.note()};
 }

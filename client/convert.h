@@ -14,7 +14,6 @@ gonio::v1::Precision to_wire(Precision precision);
 
 InstructionSet instruction_set_of(
     gonio::v1::InstructionSet set);  // `best` for one that is not known
-Precision precision_of(gonio::v1::Precision precision);
 ErrorBound error_bound_of(const gonio::v1::ErrorBound& bound);
 Catalogue catalogue_of(const gonio::v1::ListModelsResponse& response);
 

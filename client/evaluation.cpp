@@ -4,7 +4,6 @@
 #include <string>
 #include <utility>
 
-#include "client/convert.h"
 #include "client/exchange.h"
 
 namespace gonio::client {
@@ -18,14 +17,13 @@ constexpr std::size_t kMaxAnswerBytes = std::size_t{3} << 20;
 Evaluation::Evaluation(const Peer& peer, const ClientOptions& options,
                        const EvaluateOptions& evaluate_options, const Material& material,
                        Precision precision)
-    : peer_(peer), options_(options), patience_(options, evaluate_options.deadline) {
-  head_.mutable_material()->ParseFromString(material.wire());
-  head_.set_precision(to_wire(precision));
-  head_.set_instruction_set(to_wire(evaluate_options.instruction_set));
-}
+    : peer_(peer),
+      options_(options),
+      patience_(options, evaluate_options.deadline),
+      head_(material, precision, evaluate_options.instruction_set) {}
 
 std::size_t Evaluation::chunk_limit(std::size_t channels) const {
-  const bool f64 = head_.precision() == gonio::v1::PRECISION_REFERENCE;
+  const bool f64 = head_.precision() == Precision::reference;
   const std::size_t pair_bytes = channels * (f64 ? sizeof(double) : sizeof(float));
   return std::min(options_.chunk_pairs, std::max<std::size_t>(kMaxAnswerBytes / pair_bytes, 1));
 }

@@ -11,9 +11,9 @@
 #include "base/result.h"
 #include "client/chunks.h"
 #include "client/client.h"
+#include "client/request_head.h"
 #include "client/retry.h"
 #include "client/rpc.h"
-#include "gonio/v1/evaluate.pb.h"
 
 namespace gonio::client {
 
@@ -41,7 +41,7 @@ class Evaluation {
   const Peer& peer_;
   const ClientOptions& options_;
   Patience patience_;  // for the probe and all that follows
-  gonio::v1::EvaluateRequest head_;
+  RequestHead head_;
 };
 
 // Errors: axes of both kinds, an axis without angles, more than 2^63 pairs.

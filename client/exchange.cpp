@@ -7,6 +7,7 @@
 
 #include "client/convert.h"
 #include "wire/codec.h"
+#include "wire/fields.h"
 #include "wire/status.h"
 
 namespace gonio::client {
@@ -46,24 +47,25 @@ Outcome check_lengths(const Peer& peer, const OutgoingChunk& chunk, const wire::
 
 }  // namespace
 
-Exchange::Exchange(const Peer& peer, const ClientOptions& options, gonio::v1::EvaluateRequest head,
+Exchange::Exchange(const Peer& peer, const ClientOptions& options, const RequestHead& head,
                    Patience& patience, ChunkSource& source, ChunkReceiver& receiver)
     : peer_(peer),
-      head_(std::move(head)),
-      head_without_material_(head_),
+      head_(head),
       patience_(patience),
       source_(source),
       receiver_(receiver),
       in_flight_(static_cast<std::size_t>(options.in_flight)) {
-  head_without_material_.clear_material();
-  report_.precision = precision_of(head_.precision());
+  report_.precision = head_.precision();
 }
 
-const gonio::v1::EvaluateRequest& Exchange::head_for(const OutgoingChunk& chunk,
-                                                     bool with_material) {
-  auto& head = with_material ? head_ : head_without_material_;
-  if (chunk.grid) *head.mutable_grid() = *chunk.grid;
-  return head;
+std::string_view Exchange::head_for(const OutgoingChunk& chunk, bool with_material) {
+  const auto head = with_material ? head_.with_material() : head_.without_material();
+  if (!chunk.grid) return head;
+  head_with_grid_ = head;
+  wire::put_header(head_with_grid_, gonio::v1::EvaluateRequest::kGridFieldNumber,
+                   chunk.grid->ByteSizeLong());
+  chunk.grid->AppendToString(&head_with_grid_);
+  return head_with_grid_;
 }
 
 Outcome Exchange::run_call(std::size_t limit) {
@@ -132,7 +134,7 @@ Outcome Exchange::send_next(Stream& stream, bool& with_material) {
   if (!sequence) return sequence.error();
   if (!*sequence) return Ok{};
   Pending& pending = pending_.at(**sequence);
-  const auto& head = head_for(pending.chunk, with_material);
+  const auto head = head_for(pending.chunk, with_material);
   const auto* directions = directions_of(pending.chunk);
   stream.write(wire::encode_stream_request(**sequence, kSlot, head, directions));
   pending.on_its_way = true;

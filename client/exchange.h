@@ -10,9 +10,12 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "base/result.h"
 #include "client/chunks.h"
+#include "client/request_head.h"
 #include "client/retry.h"
 #include "client/rpc.h"
 #include "client/stream.h"
@@ -22,8 +25,8 @@ namespace gonio::client {
 
 class Exchange {
  public:
-  // `head`: the request without directions.
-  Exchange(const Peer& peer, const ClientOptions& options, gonio::v1::EvaluateRequest head,
+  // All of these outlive the exchange.
+  Exchange(const Peer& peer, const ClientOptions& options, const RequestHead& head,
            Patience& patience, ChunkSource& source, ChunkReceiver& receiver);
 
   // Everything in one unary call; `limit` is at least the number of pairs.
@@ -43,7 +46,7 @@ class Exchange {
   Result<bool> run_one_stream(Stream& stream);  // false: the stream broke
   Outcome send_next(Stream& stream, bool& with_material);
   Result<std::optional<std::uint64_t>> choose_next();
-  const gonio::v1::EvaluateRequest& head_for(const OutgoingChunk& chunk, bool with_material);
+  std::string_view head_for(const OutgoingChunk& chunk, bool with_material);
   Outcome take(const grpc::ByteBuffer& message);
   Outcome take_answer(std::uint64_t sequence, wire::Response answer);
   Outcome take_error(std::uint64_t sequence, const gonio::v1::ErrorDetail& detail);
@@ -51,8 +54,8 @@ class Exchange {
   [[nodiscard]] bool done() const { return at_end_ && pending_.empty(); }
 
   const Peer& peer_;
-  gonio::v1::EvaluateRequest head_;
-  gonio::v1::EvaluateRequest head_without_material_;  // for all but the first chunk of a stream
+  const RequestHead& head_;
+  std::string head_with_grid_;
   Patience& patience_;
   ChunkSource& source_;
   ChunkReceiver& receiver_;

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
 
 namespace gonio::client {
 namespace {
@@ -24,22 +25,24 @@ bool drained(grpc::CompletionQueue& queue, Clock::time_point until) {
 
 }  // namespace
 
-OpenCall::OpenCall(const Patience& patience) {
+OpenCall::OpenCall(const Patience& patience, std::unique_ptr<grpc::CompletionQueue> own_queue)
+    : queue(std::move(own_queue)) {
   if (patience.deadline()) context.set_deadline(*patience.deadline());
 }
 
 bool OpenCall::next(void** tag, bool* ok) {
-  if (context.deadline() == Clock::time_point::max()) return queue.Next(tag, ok);
-  return queue.AsyncNext(tag, ok, context.deadline() + kGrace) == grpc::CompletionQueue::GOT_EVENT;
+  if (context.deadline() == Clock::time_point::max()) return queue->Next(tag, ok);
+  return queue->AsyncNext(tag, ok, context.deadline() + kGrace) == grpc::CompletionQueue::GOT_EVENT;
 }
 
 void EndCall::operator()(OpenCall* call) const {
   std::unique_ptr<OpenCall> owned(call);
+  if (!owned->queue) return;
   owned->context.TryCancel();
-  owned->queue.Shutdown();
-  if (drained(owned->queue, Clock::now() + kGrace)) return;
+  owned->queue->Shutdown();
+  if (drained(*owned->queue, Clock::now() + kGrace)) return;
   std::thread([owned = std::move(owned)] {
-    drained(owned->queue, Clock::time_point::max());
+    drained(*owned->queue, Clock::time_point::max());
   }).detach();
 }
 

@@ -19,13 +19,13 @@
 namespace gonio::client {
 
 struct OpenCall {
-  explicit OpenCall(const Patience& patience);
+  OpenCall(const Patience& patience, std::unique_ptr<grpc::CompletionQueue> own_queue);
 
   // The next event. False if there is none, even a little after the deadline.
   bool next(void** tag, bool* ok);
 
   grpc::ClientContext context;
-  grpc::CompletionQueue queue;
+  std::unique_ptr<grpc::CompletionQueue> queue;  // taken away when nothing is under way any more
   std::unique_ptr<grpc::GenericClientAsyncReaderWriter> stream;   // either
   std::unique_ptr<grpc::GenericClientAsyncResponseReader> reply;  // or
   grpc::ByteBuffer outgoing, incoming;

@@ -1,5 +1,7 @@
 #include "client/rpc.h"
 
+#include <utility>
+
 #include "client/open_call.h"
 
 namespace gonio::client {
@@ -9,13 +11,14 @@ grpc::Status call_once(const Peer& peer, const char* method, const grpc::ByteBuf
                        OpenCall& call) {
   call.outgoing = request;
   grpc::GenericStub stub(peer.channel);
-  call.reply = stub.PrepareUnaryCall(&call.context, method, call.outgoing, &call.queue);
+  call.reply = stub.PrepareUnaryCall(&call.context, method, call.outgoing, call.queue.get());
   call.reply->StartCall();
   call.reply->Finish(&call.incoming, &call.status, nullptr);
   void* tag = nullptr;
   bool ok = false;
-  if (call.next(&tag, &ok)) return call.status;
-  return {grpc::StatusCode::DEADLINE_EXCEEDED, "the connection hangs"};
+  if (!call.next(&tag, &ok)) return {grpc::StatusCode::DEADLINE_EXCEEDED, "the connection hangs"};
+  peer.queues->give_back(std::move(call.queue));
+  return call.status;
 }
 
 }  // namespace
@@ -23,7 +26,7 @@ grpc::Status call_once(const Peer& peer, const char* method, const grpc::ByteBuf
 Result<grpc::ByteBuffer> call(const Peer& peer, const char* method, const grpc::ByteBuffer& request,
                               Patience& patience) {
   for (;;) {
-    const OpenCallPointer open(new OpenCall(patience));
+    const OpenCallPointer open(new OpenCall(patience, peer.queues->take()));
     const grpc::Status status = call_once(peer, method, request, *open);
     if (status.ok()) return open->incoming;
     const Failure failure = failure_of(status, open->context, peer.name);

@@ -1,6 +1,6 @@
 // One unary call, with its retries. Internal to the client library.
 //
-// Every call has a completion queue of its own, which the calling thread polls: no thread is woken
+// Every call has a completion queue to itself, which the calling thread polls: no thread is woken
 // for an answer.
 #pragma once
 
@@ -12,6 +12,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "client/queue_pool.h"
 #include "client/retry.h"
 
 namespace gonio::client {
@@ -20,6 +21,7 @@ namespace gonio::client {
 struct Peer {
   std::shared_ptr<grpc::Channel> channel;
   std::string name;  // in messages
+  std::unique_ptr<QueuePool> queues = std::make_unique<QueuePool>();
 };
 
 inline constexpr const char* kEvaluateMethod = "/gonio.v1.GonioService/Evaluate";

@@ -14,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "base/result.h"
@@ -70,11 +71,11 @@ struct PairSlices {
   bool is_f64 = false;
 };
 
-// `head` without pairs; `pairs` null for a grid (in `head`).
-grpc::ByteBuffer encode_request(const gonio::v1::EvaluateRequest& head, const PairSlices* pairs);
+// `head` is a serialised EvaluateRequest without pairs, which need not be put together for every
+// batch; `pairs` null for a grid (in `head`).
+grpc::ByteBuffer encode_request(std::string_view head, const PairSlices* pairs);
 grpc::ByteBuffer encode_stream_request(std::uint64_t sequence, std::uint32_t slot,
-                                       const gonio::v1::EvaluateRequest& head,
-                                       const PairSlices* pairs);
+                                       std::string_view head, const PairSlices* pairs);
 
 // `head` without flags and values; `flags` empty for none.
 struct ResponseParts {

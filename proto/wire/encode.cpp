@@ -14,18 +14,20 @@ using gonio::v1::EvaluateResponse;
 // Small parts are gathered into one slice, large ones are passed on by reference.
 class Gather {
  public:
-  std::string& text() { return text_; }
+  Gather() { text_.reserve(kWorthASlice); }
 
-  void add(const grpc::Slice& slice) {
-    flush();
-    slices_.push_back(slice);
-  }
+  std::string& text() { return text_; }
 
   // A packed array; an empty one is left out, as the generated code does.
   void add_array(std::uint32_t number, const grpc::Slice& slice) {
     if (slice.size() == 0) return;
     put_header(text_, number, slice.size());
-    add(slice);
+    if (slice.size() < kWorthASlice) {
+      text_.append(reinterpret_cast<const char*>(slice.begin()), slice.size());
+      return;
+    }
+    flush();
+    slices_.push_back(slice);
   }
 
   grpc::ByteBuffer finish() {
@@ -34,6 +36,8 @@ class Gather {
   }
 
  private:
+  static constexpr std::size_t kWorthASlice = 1024;  // bytes; below, a copy costs less
+
   void flush() {
     if (!text_.empty()) slices_.emplace_back(text_);
     text_.clear();
@@ -60,7 +64,7 @@ std::uint32_t pairs_number(const PairSlices& pairs) {
   return pairs.is_f64 ? EvaluateRequest::kPairsF64FieldNumber : EvaluateRequest::kPairsFieldNumber;
 }
 
-void add_request(Gather& out, const std::string& head, const PairSlices* pairs) {
+void add_request(Gather& out, std::string_view head, const PairSlices* pairs) {
   out.text() += head;
   if (pairs == nullptr) return;
   put_header(out.text(), pairs_number(*pairs), pairs_size(*pairs));
@@ -87,17 +91,16 @@ void put_number(std::string& out, std::uint32_t number, std::uint64_t value) {
 
 }  // namespace
 
-grpc::ByteBuffer encode_request(const EvaluateRequest& head, const PairSlices* pairs) {
+grpc::ByteBuffer encode_request(std::string_view head, const PairSlices* pairs) {
   Gather out;
-  add_request(out, head.SerializeAsString(), pairs);
+  add_request(out, head, pairs);
   return out.finish();
 }
 
 grpc::ByteBuffer encode_stream_request(std::uint64_t sequence, std::uint32_t slot,
-                                       const EvaluateRequest& head, const PairSlices* pairs) {
+                                       std::string_view head, const PairSlices* pairs) {
   using Wire = gonio::v1::EvaluateStreamRequest;
-  const std::string head_bytes = head.SerializeAsString();
-  std::size_t size = head_bytes.size();
+  std::size_t size = head.size();
   if (pairs != nullptr) {
     const std::size_t content = pairs_size(*pairs);
     size += header_size(pairs_number(*pairs), content) + content;
@@ -106,7 +109,7 @@ grpc::ByteBuffer encode_stream_request(std::uint64_t sequence, std::uint32_t slo
   put_number(out.text(), Wire::kSequenceFieldNumber, sequence);
   put_number(out.text(), Wire::kSlotFieldNumber, slot);
   put_header(out.text(), Wire::kEvaluateFieldNumber, size);
-  add_request(out, head_bytes, pairs);
+  add_request(out, head, pairs);
   return out.finish();
 }
 

@@ -91,7 +91,7 @@ grpc::ByteBuffer request_of(const Arrays& arrays, std::size_t pairs) {
   *head.mutable_material() = *wire::material_from_json(kMaterial);
   const wire::PairSlices slices{
       {arrays.wi.data(), 12 * pairs}, {arrays.wo.data(), 12 * pairs}, false};
-  return wire::encode_stream_request(1, 0, head, &slices);
+  return wire::encode_stream_request(1, 0, head.SerializeAsString(), &slices);
 }
 
 // 64 k-pair chunks, 4 in flight, from the caller's arrays into the caller's arrays.

@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <limits>
+#include <span>
 #include <thread>
 #include <vector>
 
@@ -72,6 +73,29 @@ TEST_F(Isolation, OneClientServesManyThreads) {
   std::vector<std::thread> threads;
   for (int t = 0; t < 8; ++t) {
     threads.emplace_back([&] { EXPECT_TRUE(evaluate(client, ggx(), pairs) == expected); });
+  }
+  for (auto& thread : threads) thread.join();
+}
+
+// Calls of one client take turns with what it keeps between them.
+TEST_F(Isolation, SmallCallsOfManyThreadsGetTheirOwnAnswers) {
+  constexpr std::size_t kCalls = 300;
+  const auto client = connect("unix");
+  const RandomPairs<float> pairs(kPairs);
+  const Answer expected = evaluate(client, ggx(), pairs);
+  std::vector<std::thread> threads;
+  for (std::size_t t = 0; t < 8; ++t) {
+    threads.emplace_back([&, t] {
+      for (std::size_t call = 0; call < kCalls; ++call) {
+        const std::size_t first = t * kCalls + call, count = 1 + call % 3;
+        std::vector<float> values(3 * count);
+        const auto report =
+            client.evaluate(ggx(), std::span(pairs.wi).subspan(3 * first, 3 * count),
+                            std::span(pairs.wo).subspan(3 * first, 3 * count), values);
+        ASSERT_TRUE(report.ok()) << report.error().message;
+        EXPECT_EQ(0, std::memcmp(values.data(), &expected.values[3 * first], 12 * count)) << first;
+      }
+    });
   }
   for (auto& thread : threads) thread.join();
 }

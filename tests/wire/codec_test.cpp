@@ -22,11 +22,26 @@ PairSlices some_pairs() { return {slice_of(kWi), slice_of(kWo), false}; }
 TEST(Encode, RequestIsAPlainMessage) {
   const PairSlices pairs = some_pairs();
   v1::EvaluateRequest parsed;
-  ASSERT_TRUE(parsed.ParseFromString(text_of(encode_request(request_head(), &pairs))));
+  ASSERT_TRUE(
+      parsed.ParseFromString(text_of(encode_request(request_head().SerializeAsString(), &pairs))));
   EXPECT_THAT(parsed.pairs().wi(), ElementsAreArray(kWi));
   EXPECT_THAT(parsed.pairs().wo(), ElementsAreArray(kWo));
   parsed.clear_directions();
   EXPECT_TRUE(MessageDifferencer::Equals(parsed, request_head()));
+}
+
+// Short arrays are copied beside the head, long ones are slices of their own.
+TEST(Encode, ArraysOfAnyLengthAreWrittenAsTheGeneratedCodeDoes) {
+  std::mt19937 random(3);
+  for (const std::size_t count : {1, 85, 86, 5000}) {
+    const v1::EvaluateRequest request = request_with_pairs(count, random);
+    const auto slice = [](const auto& numbers) {
+      return grpc::Slice(numbers.data(), static_cast<std::size_t>(numbers.size()) * sizeof(float));
+    };
+    const PairSlices pairs{slice(request.pairs().wi()), slice(request.pairs().wo()), false};
+    const std::string head = request_head().SerializeAsString();
+    EXPECT_EQ(text_of(encode_request(head, &pairs)), request.SerializeAsString()) << count;
+  }
 }
 
 TEST(Encode, StreamRequestWithDoublesIsAPlainMessage) {
@@ -34,7 +49,7 @@ TEST(Encode, StreamRequestWithDoublesIsAPlainMessage) {
   const PairSlices pairs{slice_of(wi), slice_of(wo), true};
   v1::EvaluateStreamRequest parsed;
   ASSERT_TRUE(parsed.ParseFromString(
-      text_of(encode_stream_request(1ULL << 40, 255, request_head(), &pairs))));
+      text_of(encode_stream_request(1ULL << 40, 255, request_head().SerializeAsString(), &pairs))));
   EXPECT_EQ(parsed.sequence(), 1ULL << 40);
   EXPECT_EQ(parsed.slot(), 255U);
   EXPECT_THAT(parsed.evaluate().pairs_f64().wi(), ElementsAreArray(wi));
@@ -45,9 +60,10 @@ TEST(Encode, StreamRequestWithDoublesIsAPlainMessage) {
 TEST(Encode, EmptyBatchKeepsItsKind) {
   const PairSlices none;
   v1::EvaluateRequest parsed;
-  ASSERT_TRUE(parsed.ParseFromString(text_of(encode_request(request_head(), &none))));
+  ASSERT_TRUE(
+      parsed.ParseFromString(text_of(encode_request(request_head().SerializeAsString(), &none))));
   EXPECT_TRUE(parsed.has_pairs());
-  const auto decoded = decode_request(encode_request(request_head(), &none));
+  const auto decoded = decode_request(encode_request(request_head().SerializeAsString(), &none));
   ASSERT_TRUE(decoded.ok());
   EXPECT_EQ(decoded->kind, Request::Kind::pairs);
   EXPECT_EQ(decoded->wi.count, 0U);
@@ -57,7 +73,8 @@ TEST(Encode, GridTravelsInTheHead) {
   v1::EvaluateRequest head = request_head();
   head.mutable_grid()->add_theta_h(0.5);
   head.mutable_grid()->set_count(7);
-  const auto decoded = decode_stream_request(encode_stream_request(9, 3, head, nullptr));
+  const auto decoded =
+      decode_stream_request(encode_stream_request(9, 3, head.SerializeAsString(), nullptr));
   ASSERT_TRUE(decoded.ok() && decoded->request.ok());
   EXPECT_EQ(decoded->sequence, 9U);
   EXPECT_EQ(decoded->slot, 3U);
