@@ -1,6 +1,6 @@
 #include "engine/evaluate.h"
 
-#include <emmintrin.h>
+#include <xmmintrin.h>
 
 #include <algorithm>
 #include <atomic>
@@ -16,8 +16,7 @@ namespace {
 
 constexpr std::size_t kScratchValues = 2048;  // fits the first-level cache beside the directions
 constexpr std::size_t kAlignment = 64;
-constexpr std::size_t kGrain = 16;  // pairs of the widest packet
-constexpr std::size_t kStreamedBytes = std::size_t{1} << 22;
+constexpr std::size_t kGrain = 16;           // pairs of the widest packet
 constexpr std::size_t kSmallestTile = 384;   // pairs worth handing to another thread that is awake
 constexpr std::size_t kBriefPairs = 12'000;  // done within the time that waking a thread takes
 
@@ -51,7 +50,7 @@ Kernel<double, double> choose(const KernelSet& set, double, double) { return set
 
 template <class In, class Out>
 std::uint8_t evaluate_run(const Material::Impl& material, const Batch<In, Out>& batch,
-                          std::size_t begin, std::size_t n, const KernelTable& table, bool stream) {
+                          std::size_t begin, std::size_t n, const KernelTable& table) {
   const auto width = static_cast<std::size_t>(table.width);
   const std::size_t padded = (n + width - 1) / width * width;
   InputScratch<In> in_scratch;
@@ -62,15 +61,14 @@ std::uint8_t evaluate_run(const Material::Impl& material, const Batch<In, Out>& 
   std::fill_n(out_scratch.flags, padded, std::uint8_t{0});
 
   const bool direct = n == padded && batch.values.pair_stride == 1;
-  KernelOutput<Out> out{out_scratch.values, padded, out_scratch.flags, Writing::store};
+  KernelOutput<Out> out{out_scratch.values, padded, out_scratch.flags, false};
   if (direct) {
     out.values = batch.values.data + begin;
     out.channel_stride = static_cast<std::size_t>(batch.values.channel_stride);
-    if (stream) out.writing = Writing::stream;
   }
   for (const MaterialPart& part : material.parts) {
     choose(part.kernels(table), In(), Out())(part.constants.get(), in, out);
-    out.writing = Writing::add;
+    out.accumulate = true;
   }
   if (!direct) copy_values(out.values, padded, material.channels, n, table, batch.values, begin);
   std::uint8_t any = 0;
@@ -87,16 +85,6 @@ std::size_t pairs_to_alignment(const Values<Out>& values, std::size_t begin) {
   return (kAlignment - address % kAlignment) % kAlignment / sizeof(Out);
 }
 
-// Results that no cache would hold until they are read: writing them past the caches spares reading
-// their old content first.
-template <class In, class Out>
-bool should_stream(const Material::Impl& material, const Batch<In, Out>& batch) {
-  const auto channels = static_cast<std::size_t>(material.channels);
-  const auto stride = static_cast<std::size_t>(batch.values.channel_stride) * sizeof(Out);
-  return batch.count * channels * sizeof(Out) >= kStreamedBytes && material.parts.size() == 1 &&
-         (channels == 1 || stride % kAlignment == 0) && batch.values.pair_stride == 1;
-}
-
 template <class In, class Out>
 std::uint8_t evaluate_span(const Material& material, const Batch<In, Out>& batch, std::size_t begin,
                            std::size_t end, Isa isa) {
@@ -106,16 +94,15 @@ std::uint8_t evaluate_span(const Material& material, const Batch<In, Out>& batch
   const std::size_t by_channels =
       kScratchValues / static_cast<std::size_t>(impl.channels) / kGrain * kGrain;
   const std::size_t run = std::min(kRun, by_channels);
-  const bool stream = should_stream(impl, batch);
+  const bool uncopied = batch.wi.stride == 1 && batch.wo.stride == 1;
   const FlushToZero flush;
   std::uint8_t any = 0;
   for (std::size_t at = begin, n = 0; at < end; at += n) {
     const std::size_t lead = pairs_to_alignment(batch.values, at), left = end - at;
     n = std::min(lead > 0 ? lead : run, left);
-    if (n > kGrain) n = n / kGrain * kGrain;  // whole packets, which need no copy; then the rest
-    any = static_cast<std::uint8_t>(any | evaluate_run(impl, batch, at, n, table, stream));
+    if (uncopied && n > kGrain) n = n / kGrain * kGrain;  // then the rest, which is padded
+    any = static_cast<std::uint8_t>(any | evaluate_run(impl, batch, at, n, table));
   }
-  if (stream) _mm_sfence();  // whoever is told of the end sees the results
   return any;
 }
 

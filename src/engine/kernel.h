@@ -20,18 +20,14 @@ struct KernelInput {
   std::size_t count;
 };
 
-// How results are written: to a place, onto what is there, or past the caches (for results larger
-// than those, at places aligned to 64 bytes in every channel).
-enum class Writing { store, add, stream };
-
 // Channel c of pair i goes to values[c * channel_stride + i]. Flags of bad pairs are written, those
-// of good ones are not touched.
+// of good ones are not touched. With `accumulate` the values are added to what is there.
 template <class Out>
 struct KernelOutput {
   Out* values;
   std::size_t channel_stride;
   std::uint8_t* flags;
-  Writing writing;
+  bool accumulate;
 };
 
 // A model's constants for all channels, as prepared by prepare.h, behind `constants`.

@@ -32,7 +32,7 @@ struct Block {
 };
 
 // All channels of a block's packets, from pair `begin` on.
-template <Writing kWriting, class N, class Kind>
+template <bool kAccumulate, class N, class Kind>
 GONIO_INLINE void write(const Block<N, Kind>& block, const Constants<Kind>& constants,
                         std::size_t begin, std::size_t packets,
                         const KernelOutput<typename N::Out>& out) {
@@ -47,14 +47,10 @@ GONIO_INLINE void write(const Block<N, Kind>& block, const Constants<Kind>& cons
     for (int c = 0; c < channels; ++c, to += stride) {
       const Real value = Kind::template value<N>(
           terms, constants.wide[c], constants.template channel<typename N::RealScalar>(c));
-      const Real result = select(valid, min(N::largest(), value), Real(0));
-      if constexpr (kWriting == Writing::add) {
-        min(N::largest(), result + Real::load(to)).store(to);
-      } else if constexpr (kWriting == Writing::stream) {
-        result.stream(to);
-      } else {
-        result.store(to);
-      }
+      Real result = select(valid, min(N::largest(), value), Real(0));
+      if constexpr (kAccumulate) result = min(N::largest(), result + Real::load(to));
+      result.store(to);
+      fetch_ahead_to_write(to);
     }
   }
 }
@@ -93,16 +89,10 @@ void analytic(const void* constants, const KernelInput<In>& in,
     for (std::size_t p = 0; p < packets; ++p)
       block.terms[p] = Kind::template terms<N>(shape, block.stage[p], block.refined[p]);
     if (valid != kAllLanes) note_block<N, Kind>(block, packets, in, begin, out.flags);
-    switch (out.writing) {
-      case Writing::store:
-        write<Writing::store>(block, given, begin, packets, out);
-        break;
-      case Writing::add:
-        write<Writing::add>(block, given, begin, packets, out);
-        break;
-      case Writing::stream:
-        write<Writing::stream>(block, given, begin, packets, out);
-        break;
+    if (out.accumulate) {
+      write<true>(block, given, begin, packets, out);
+    } else {
+      write<false>(block, given, begin, packets, out);
     }
   }
 }

@@ -63,7 +63,7 @@ struct ThreadPool::State {
     if (!stop) active->job.run(tile);
     bool last = false;
     {
-      const std::lock_guard lock(mutex);
+      const auto lock = lock_soon(mutex);
       if (stop && !active->stopped) {
         active->stopped = true;
         active->next = active->job.tiles;
@@ -78,7 +78,7 @@ struct ThreadPool::State {
   }
 
   void work_on() {
-    std::unique_lock lock(mutex);
+    std::unique_lock lock = lock_soon(mutex);
     for (;;) {
       ++asleep;
       work.wait(lock, [this] { return !ready.empty() || (closing && jobs == 0); });
@@ -90,14 +90,14 @@ struct ThreadPool::State {
       run(active, tile);
       if (active->awaited) stay_alert([this] { return waiting.load() != 0; });
       active.reset();
-      lock.lock();
+      lock = lock_soon(mutex);
     }
   }
 
   void add(const ActivePtr& active) {
     std::size_t wanted = 0;
     {
-      const std::lock_guard lock(mutex);
+      const auto lock = lock_soon(mutex);
       put(active);
       wanted = std::min(active->job.tiles, asleep);
     }
@@ -107,7 +107,7 @@ struct ThreadPool::State {
   // Takes back the tiles of an awaited job that no thread has begun: the work is done. True if none
   // was begun, or all have ended.
   bool withdraw(const ActivePtr& active) {
-    const std::lock_guard lock(mutex);
+    const auto lock = lock_soon(mutex);
     if (active->next == active->job.tiles) return false;
     active->next = active->job.tiles;
     remove(active);
@@ -123,7 +123,7 @@ struct ThreadPool::State {
     const Clock::rep now = Clock::now().time_since_epoch().count();
     const Clock::rep before = last_brief.exchange(now);
     if (Clock::duration(now - before) < kAlert) return true;
-    const std::lock_guard lock(mutex);
+    const auto lock = lock_soon(mutex);
     return asleep < threads.size();
   }
 };
@@ -136,7 +136,7 @@ ThreadPool::ThreadPool(int threads, std::size_t max_jobs) : state_(std::make_uni
 
 ThreadPool::~ThreadPool() {
   {
-    const std::lock_guard lock(state_->mutex);
+    const auto lock = lock_soon(state_->mutex);
     state_->closing = true;
   }
   state_->work.notify_all();
@@ -145,7 +145,7 @@ ThreadPool::~ThreadPool() {
 
 bool ThreadPool::submit(Job&& job) {
   {
-    const std::lock_guard lock(state_->mutex);
+    const auto lock = lock_soon(state_->mutex);
     if (state_->jobs >= state_->max_jobs) return false;
     if (job.tiles > 0) ++state_->jobs;
   }
@@ -167,27 +167,27 @@ void ThreadPool::run(std::size_t tiles, const std::function<void(std::size_t)>& 
   const std::size_t helpers = std::min(tiles - 1, state_->threads.size());
   if (tiles <= 1 || (brief && !state_->shares_brief())) return drain(0);
   const auto end = [&](bool) {
-    const std::lock_guard lock(mutex);
+    const auto lock = lock_soon(mutex);
     done = true;
     finished.notify_one();
   };
   const auto active = std::make_shared<Active>(Active{{helpers, drain, {}, end}, true});
   {
-    const std::lock_guard lock(state_->mutex);
+    const auto lock = lock_soon(state_->mutex);
     ++state_->jobs;
   }
   state_->add(active);
   drain(0);
   if (state_->withdraw(active)) return;
   stay_alert([&] { return done.load(); });
-  std::unique_lock lock(mutex);
+  std::unique_lock lock = lock_soon(mutex);
   finished.wait(lock, [&] { return done.load(); });
 }
 
 int ThreadPool::threads() const { return static_cast<int>(state_->threads.size()); }
 
 std::size_t ThreadPool::jobs() const {
-  const std::lock_guard lock(state_->mutex);
+  const auto lock = lock_soon(state_->mutex);
   return state_->jobs;
 }
 

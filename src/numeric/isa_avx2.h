@@ -20,9 +20,6 @@ GONIO_INLINE F load(const float* p) { return _mm256_loadu_ps(p); }
 GONIO_INLINE D load(const double* p) { return _mm256_loadu_pd(p); }
 GONIO_INLINE void store(float* p, F x) { _mm256_storeu_ps(p, x); }
 GONIO_INLINE void store(double* p, D x) { _mm256_storeu_pd(p, x); }
-// To memory, past the caches; p is aligned to the register's size.
-GONIO_INLINE void stream(float* p, F x) { _mm256_stream_ps(p, x); }
-GONIO_INLINE void stream(double* p, D x) { _mm256_stream_pd(p, x); }
 
 GONIO_INLINE F min(F a, F b) { return _mm256_min_ps(a, b); }
 GONIO_INLINE D min(D a, D b) { return _mm256_min_pd(a, b); }

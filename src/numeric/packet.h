@@ -41,7 +41,6 @@ struct Float {
 
   static GONIO_INLINE Float load(const float* p) { return Float(raw::load(p)); }
   GONIO_INLINE void store(float* p) const { raw::store(p, v); }
-  GONIO_INLINE void stream(float* p) const { raw::stream(p, v); }  // p aligned to the packet
 
   friend GONIO_INLINE Float operator+(Float a, Float b) { return Float(a.v + b.v); }
   friend GONIO_INLINE Float operator-(Float a, Float b) { return Float(a.v - b.v); }
@@ -79,9 +78,6 @@ struct Double {
   }
   GONIO_INLINE void store(double* p) const {
     raw::store(p, lo), raw::store(p + raw::kWidth / 2, hi);
-  }
-  GONIO_INLINE void stream(double* p) const {
-    raw::stream(p, lo), raw::stream(p + raw::kWidth / 2, hi);
   }
 
   friend GONIO_INLINE Double operator+(Double a, Double b) { return {a.lo + b.lo, a.hi + b.hi}; }

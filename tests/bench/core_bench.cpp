@@ -144,7 +144,7 @@ class Best : public benchmark::ConsoleReporter {
   std::map<std::string, double> rate_;
 };
 
-constexpr std::size_t kSizes[] = {1000, 4096, 10000, std::size_t{1} << 20};
+constexpr std::size_t kSizes[] = {1000, 4096, 10000, 65536, std::size_t{1} << 20};
 
 void register_model(const std::string& name, const MaterialSpec& spec) {
   const Material material = testing::material_of(spec);
@@ -211,7 +211,7 @@ int main(int argc, char** argv) {
   using namespace gonio::bench;
   std::vector<char*> arguments(argv, argv + argc);
   char interleave[] = "--benchmark_enable_random_interleaving=true",
-       repetitions[] = "--benchmark_repetitions=8", quick[] = "--benchmark_min_time=0.02";
+       repetitions[] = "--benchmark_repetitions=25", quick[] = "--benchmark_min_time=0.004";
   arguments.insert(arguments.begin() + 1,
                    {interleave, repetitions, quick});  // the caller's own come later and win
   int count = static_cast<int>(arguments.size());
