@@ -53,7 +53,7 @@ materials=$results/materials
 rm -rf "$materials"
 mkdir -p "$materials"
 cp tests/data/materials/*.json "$materials"
-data=${GONIO_DATA:-$top/../shared/data}
+data=${GONIO_DATA:-}
 if [ -r "$data/merl/npf.bin" ]; then
   measured=yellow-phenolic
   label="yellow phenolic\\n{/*0.8 measured}"
@@ -63,7 +63,7 @@ else
   measured=glossy-example
   label="glossy example\\n{/*0.8 table in the MERL layout}"
   "$bin/make_merl" "$materials/$measured.binary"
-  echo "$measured: generated, as $data/merl is not there"
+  echo "$measured: generated, as \$GONIO_DATA names no folder with merl/npf.bin"
 fi
 tests/data/make_pairs.py "$pairs" "$seed" "$results/pairs.npy"
 echo "$pairs pairs of directions (seed $seed): $results/pairs.npy"

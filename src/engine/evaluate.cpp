@@ -17,14 +17,15 @@ namespace {
 constexpr std::size_t kScratchValues = 2048;  // fits the first-level cache beside the directions
 constexpr std::size_t kAlignment = 64;
 constexpr std::size_t kGrain = 16;           // pairs of the widest packet
-constexpr std::size_t kSmallestTile = 384;   // pairs worth handing to another thread that is awake
+constexpr std::size_t kSmallestTile = 1024;  // pairs worth handing to another thread that is awake
 constexpr std::size_t kBriefPairs = 12'000;  // done within the time that waking a thread takes
 
 // Results too small for a normal number become 0 while this lives: a lobe's tail is full of them,
 // and each would cost a hundred cycles. Denormal inputs keep their value.
 class FlushToZero {
  public:
-  FlushToZero() : before_(_mm_getcsr()) { _mm_setcsr(before_ | _MM_FLUSH_ZERO_ON); }
+  // Not what the caller has set: rounding and denormal inputs decide bits, too.
+  FlushToZero() : before_(_mm_getcsr()) { _mm_setcsr(_MM_MASK_MASK | _MM_FLUSH_ZERO_ON); }
   ~FlushToZero() { _mm_setcsr(before_); }
   FlushToZero(const FlushToZero&) = delete;
   FlushToZero& operator=(const FlushToZero&) = delete;

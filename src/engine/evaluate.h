@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 
 #include "base/result.h"
 #include "engine/isa.h"
@@ -64,11 +63,12 @@ struct Batch {
   std::uint8_t* flags = nullptr;  // one byte a pair, or null
 };
 
-// Pairs evaluated at a time by one thread; cancellation is looked at between tiles.
+// Pairs that one thread should evaluate at a time, at most: they and their results fit its caches.
 inline constexpr std::size_t kTilePairs = 4096;
 
-// Evaluates the whole batch on the calling thread. `isa` must be supported. Returns the bitwise or
-// of all flags.
+// Evaluates the whole batch on the calling thread. `values` has room for material.channels() of
+// every pair and overlaps no direction; `isa` must be supported (undefined otherwise). Returns the
+// bitwise or of all flags.
 std::uint8_t evaluate(const Material& material, const Batch<float, float>& batch, Isa isa);
 std::uint8_t evaluate(const Material& material, const Batch<float, double>& batch, Isa isa);
 std::uint8_t evaluate(const Material& material, const Batch<double, double>& batch, Isa isa);

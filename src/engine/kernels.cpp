@@ -2,7 +2,8 @@
 // namespace.
 //
 // One function per kind of model and precision takes blocks of packets through a model's steps:
-// stage (from the geometry), terms (what all channels share), value (of a channel). There is no
+// stage (from the geometry), refine (what needs float64), terms (what all channels share), value
+// (of a channel). There is no
 // remainder loop: callers pad, so that a pair's result cannot depend on where in a batch it stands.
 #include <array>
 
@@ -50,7 +51,7 @@ GONIO_INLINE void write(const Block<N, Kind>& block, const Constants<Kind>& cons
       Real result = select(valid, min(N::largest(), value), Real(0));
       if constexpr (kAccumulate) result = min(N::largest(), result + Real::load(to));
       result.store(to);
-      fetch_ahead_to_write(to);
+      __builtin_prefetch(to + kAheadOfWriting);
     }
   }
 }

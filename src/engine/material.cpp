@@ -45,7 +45,7 @@ void add_part(Material::Impl& material, const CheckedLobe& lobe) {
       {MaterialPart::Source::analytic, prepared.kernel, std::move(prepared.constants)});
   material.fast = worse(material.fast, lobe.model->fast);
   material.reference = worse(material.reference, lobe.model->reference);
-  material.bytes += static_cast<std::size_t>(material.channels) * 8 * sizeof(double);
+  material.bytes += prepared.bytes;
 }
 
 }  // namespace

@@ -15,18 +15,14 @@ GONIO_INLINE Vec3<T> load(const In* const (&component)[3], std::size_t i) {
 
 // Large batches come from memory in six streams and go back in three or more: more than the
 // processor foresees. The distances, in numbers, are what ran fastest.
-template <class T>
-GONIO_INLINE void fetch_ahead_to_read(const T* p) {
-  __builtin_prefetch(p + 256);
-}
-template <class T>
-GONIO_INLINE void fetch_ahead_to_write(T* p) {
-  __builtin_prefetch(p + 512, 1);
-}
+constexpr std::size_t kAheadOfReading = 256, kAheadOfWriting = 512;
 
 template <class N, class In>
 GONIO_INLINE Geometry<N> load_geometry(const KernelInput<In>& in, std::size_t i) {
-  for (int c = 0; c < 3; ++c) fetch_ahead_to_read(in.wi[c] + i), fetch_ahead_to_read(in.wo[c] + i);
+  for (int c = 0; c < 3; ++c) {
+    __builtin_prefetch(in.wi[c] + i + kAheadOfReading);
+    __builtin_prefetch(in.wo[c] + i + kAheadOfReading);
+  }
   return {load<typename N::Wide>(in.wi, i), load<typename N::Wide>(in.wo, i),
           load<typename N::Real>(in.wi, i), load<typename N::Real>(in.wo, i)};
 }

@@ -10,12 +10,10 @@
 
 namespace gonio {
 
-using PrepareFn = std::shared_ptr<const void> (*)(const ParameterValues<double>& values,
-                                                  int channels);
-
 struct PreparedLobe {
   std::size_t kernel;                     // index into KernelTable::analytic
   std::shared_ptr<const void> constants;  // a Constants<Kind>
+  std::size_t bytes;                      // of the constants
 };
 
 // `model` is one of models(), not the measured one; `kind` counts the combinations of the model's

@@ -39,8 +39,14 @@ std::vector<ModelDescription> describe(TypeList<Models...>) {
   return {Models::kDescription..., kMeasured};
 }
 
+struct Prepared {
+  std::shared_ptr<const void> constants;
+  std::size_t bytes;
+};
+using PrepareFn = Prepared (*)(const ParameterValues<double>& values, int channels);
+
 template <class Kind>
-std::shared_ptr<const void> prepare_kind(const ParameterValues<double>& values, int channels) {
+Prepared prepare_kind(const ParameterValues<double>& values, int channels) {
   auto constants = std::make_shared<Constants<Kind>>();
   constants->shape = Kind::shape(values);
   constants->channels = channels;
@@ -48,7 +54,7 @@ std::shared_ptr<const void> prepare_kind(const ParameterValues<double>& values, 
     constants->wide[c] = Kind::channel(values, c);
     constants->real[c] = to_float<Kind::template Channel>(constants->wide[c]);
   }
-  return constants;
+  return {std::move(constants), sizeof(Constants<Kind>)};
 }
 
 template <class... Kinds>
@@ -89,7 +95,8 @@ PreparedLobe prepare(const ModelDescription& model, std::size_t kind,
                      const ParameterValues<double>& values, int channels) {
   static const PrepareTable table = prepare_table(AllModels{});
   const std::size_t index = table.first[static_cast<std::size_t>(&model - models().data())] + kind;
-  return {index, table.kinds[index](values, channels)};
+  Prepared prepared = table.kinds[index](values, channels);
+  return {index, std::move(prepared.constants), prepared.bytes};
 }
 
 }  // namespace gonio

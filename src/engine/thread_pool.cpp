@@ -104,8 +104,8 @@ struct ThreadPool::State {
     for (std::size_t i = 0; i < wanted; ++i) work.notify_one();
   }
 
-  // Takes back the tiles of an awaited job that no thread has begun: the work is done. True if none
-  // was begun, or all have ended.
+  // Takes back the tiles of an awaited job that no thread has begun: the work is done. True if
+  // nothing remains to wait for.
   bool withdraw(const ActivePtr& active) {
     const auto lock = lock_soon(mutex);
     if (active->next == active->job.tiles) return false;
@@ -115,6 +115,15 @@ struct ThreadPool::State {
     --jobs;
     if (closing) work.notify_all();
     return true;
+  }
+
+  void close() {
+    {
+      const auto lock = lock_soon(mutex);
+      closing = true;
+    }
+    work.notify_all();
+    for (std::thread& thread : threads) thread.join();
   }
 
   // Whether brief work should be shared: a thread is awake, or such work comes so often that waking
@@ -130,18 +139,16 @@ struct ThreadPool::State {
 
 ThreadPool::ThreadPool(int threads, std::size_t max_jobs) : state_(std::make_unique<State>()) {
   state_->max_jobs = max_jobs;
-  for (int i = 0; i < threads; ++i)
-    state_->threads.emplace_back([state = state_.get()] { state->work_on(); });
+  try {
+    for (int i = 0; i < threads; ++i)
+      state_->threads.emplace_back([state = state_.get()] { state->work_on(); });
+  } catch (...) {  // no more threads or memory: those that run must not outlive what they wait for
+    state_->close();
+    throw;
+  }
 }
 
-ThreadPool::~ThreadPool() {
-  {
-    const auto lock = lock_soon(state_->mutex);
-    state_->closing = true;
-  }
-  state_->work.notify_all();
-  for (std::thread& thread : state_->threads) thread.join();
-}
+ThreadPool::~ThreadPool() { state_->close(); }
 
 bool ThreadPool::submit(Job&& job) {
   {

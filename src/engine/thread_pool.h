@@ -1,7 +1,8 @@
 // One fixed set of compute threads with a bounded queue.
 //
-// A job is a number of tiles. Workers take tiles of the queued jobs in turn, so that a short job is
-// not held up by a long one. Thread safety: all members may be called from any thread.
+// A job is a number of tiles. Workers take tiles of the submitted jobs in turn, so that a short job
+// is not held up by a long one; a worker that helps with a run() stays until that is done. Nothing
+// that is called may throw. Thread safety: all members may be called from any thread.
 #pragma once
 
 #include <cstddef>

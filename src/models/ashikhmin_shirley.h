@@ -116,7 +116,7 @@ struct AshikhminShirley {
     using Wide = typename N::Wide;
     const Vec3<Wide>& h = g.half.h;
     const Wide x2 = h.x * h.x, y2 = h.y * h.y, c = h.z * h.z;
-    const Wide weighted = Wide(k.minus_half_nu) * x2 + Wide(k.minus_half_nv) * y2;
+    const Wide weighted = sum_of_products(Wide(k.minus_half_nu), x2, Wide(k.minus_half_nv), y2);
     const Wide h2 = g.half.length2();
     return {N::weighted_log2_1p(weighted, x2 + y2, c, h2), N::real(h2), N::real(g.half.sin2_d())};
   }
@@ -149,8 +149,8 @@ struct AshikhminShirley {
                                              const Channel<typename N::WideScalar>&,
                                              const Channel<typename N::RealScalar>& c) {
     using Real = typename N::Real;
-    return t.amplitude * (Real(c.specular) + Real(c.specular_rest) * t.w5) +
-           Real(c.diffuse) * t.diffuse;
+    return sum_of_products(t.amplitude, Real(c.specular) + Real(c.specular_rest) * t.w5,
+                           Real(c.diffuse), t.diffuse);
   }
 };
 

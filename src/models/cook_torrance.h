@@ -72,7 +72,7 @@ struct CookTorrance {
                                         const HalfVector<N>& half, const Stage<N>&) {
     using Wide = typename N::Wide;
     const Vec3<Wide>& h = half.h;
-    const Wide s = h.x * h.x + h.y * h.y, c = h.z * h.z;
+    const Wide s = sum_of_products(h.x, h.x, h.y, h.y), c = h.z * h.z;
     return {s * Wide(k.minus_inverse_m2) / c, N::real(s + c), N::real(h.z)};
   }
 
@@ -80,7 +80,8 @@ struct CookTorrance {
   static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k,
                                                  const Stage<N>& g, const Refined<N>& r) {
     using Real = typename N::Real;
-    // Where the bounds act the exponential is 0 for every m; they keep the other factors finite.
+    // Within the stated horizon the exponential is 0 wherever a bound acts; beyond, they keep the
+    // other factors finite.
     const Real z = max(r.z, Real(1e-12));
     const Real sec2 = min(r.h2 / (z * z), Real(1e9));
     const Real masking = z / max(g.cos_max * max(Real(4) * g.cos_min * z, r.h2), Real(1e-37));

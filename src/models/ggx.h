@@ -69,7 +69,8 @@ struct Ggx {
 
   template <class N>
   static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>& k, const Geometry<N>& g) {
-    return {g.cos_o() * length<N>(k, g.real_wi) + g.cos_i() * length<N>(k, g.real_wo)};
+    return {
+        sum_of_products(g.cos_o(), length<N>(k, g.real_wi), g.cos_i(), length<N>(k, g.real_wo))};
   }
 
   template <class N>
@@ -82,7 +83,9 @@ struct Ggx {
                                         const HalfVector<N>& half, const Stage<N>&) {
     using Wide = typename N::Wide;
     const Wide x2 = half.h.x * half.h.x, y2 = half.h.y * half.h.y, z2 = half.h.z * half.h.z;
-    const Wide stretched = x2 * Wide(k.inverse_ax2) + y2 * Wide(k.inverse_ay2) + z2;
+    // The addend keeps 0/0 away where wi = -wo and both all but touch the surface.
+    const Wide stretched =
+        sum_of_products(x2, Wide(k.inverse_ax2), y2, Wide(k.inverse_ay2)) + (z2 + Wide(1e-300));
     return {N::real((x2 + y2 + z2) / stretched)};
   }
 
@@ -99,7 +102,7 @@ struct Ggx {
                                               const Vec3<typename N::Real>& w) {
     using Real = typename N::Real;
     using std::sqrt;
-    return sqrt(Real(k.ax2) * (w.x * w.x) + Real(k.ay2) * (w.y * w.y) + w.z * w.z);
+    return sqrt(sum_of_products(Real(k.ax2), w.x * w.x, Real(k.ay2), w.y * w.y) + w.z * w.z);
   }
 };
 

@@ -15,8 +15,8 @@ GONIO_INLINE T polynomial(T x, const double (&c)[N]) {
 }
 
 // (w/s) log2(1 + s/c), given a = s + c, for s >= 0, c >= 0 (quick: c > 1e-150, as of float32
-// cosines) and w = 0 where s = 0: the logarithm to a relative error of 4e-9 (quick), 1e-15 (exact),
-// down to the smallest s.
+// cosines) and w = 0 where s = 0: the logarithm to a relative error of 4e-9 (quick), 2e-15 (exact),
+// where s a is above 1e-240 (and towards 0 below).
 //
 // With k near log2(a/c) it is k plus the series of 2 artanh(z) / log 2, z = (a - c 2^k) /
 // (a + c 2^k), |z| < .201. The numerator is formed as s - c (2^k - 1): for k = 0 it is s itself,

@@ -25,6 +25,8 @@ GONIO_INLINE F min(F a, F b) { return _mm256_min_ps(a, b); }
 GONIO_INLINE D min(D a, D b) { return _mm256_min_pd(a, b); }
 GONIO_INLINE F max(F a, F b) { return _mm256_max_ps(a, b); }
 GONIO_INLINE D max(D a, D b) { return _mm256_max_pd(a, b); }
+GONIO_INLINE F multiply_add(F a, F b, F c) { return _mm256_fmadd_ps(a, b, c); }
+GONIO_INLINE D multiply_add(D a, D b, D c) { return _mm256_fmadd_pd(a, b, c); }
 GONIO_INLINE F sqrt(F x) { return _mm256_sqrt_ps(x); }
 GONIO_INLINE D sqrt(D x) { return _mm256_sqrt_pd(x); }
 GONIO_INLINE D round(D x) {
@@ -33,8 +35,7 @@ GONIO_INLINE D round(D x) {
 GONIO_INLINE D floor(D x) { return _mm256_floor_pd(x); }
 
 // There is no estimate in double here; a division is exact and quick enough.
-GONIO_INLINE D reciprocal_estimate(D x) { return _mm256_set1_pd(1) / x; }
-GONIO_INLINE D reciprocal_fast(D x) { return _mm256_set1_pd(1) / x; }
+GONIO_INLINE D divide_fast(D a, D b) { return a / b; }
 
 // floor(log2 x) for normal x > 0: the exponent bits, made a double by a constant whose last bit is
 // worth one.
@@ -63,7 +64,7 @@ GONIO_INLINE F scale(F x, F k) {
 }
 
 // The nearest whole k to log2(a / c), give or take .09, as 2^k and as k; 0 whenever a/c lies in
-// [1, 1.4]. The bits of a positive number grow like its logarithm, from corner to corner.
+// [1, 4/3). The bits of a positive number grow like its logarithm, from corner to corner.
 GONIO_INLINE void nearest_power(D a, D c, D& power, D& k) {
   const __m256i difference = _mm256_sub_epi64(_mm256_castpd_si256(a), _mm256_castpd_si256(c));
   const __m256i biased = _mm256_add_epi64(difference, _mm256_set1_epi64x(0x3ff8000000000000));
@@ -106,10 +107,6 @@ GONIO_INLINE M less(D alo, D ahi, D blo, D bhi) {
   return _mm256_insertf128_ps(_mm256_castps128_ps256(lo), hi, 1);
 }
 GONIO_INLINE M mask_and(M a, M b) { return _mm256_and_ps(a, b); }
-GONIO_INLINE M mask_or(M a, M b) { return _mm256_or_ps(a, b); }
-GONIO_INLINE M mask_not(M a) {
-  return _mm256_xor_ps(a, _mm256_castsi256_ps(_mm256_set1_epi32(-1)));
-}
 GONIO_INLINE unsigned bits(M m) { return static_cast<unsigned>(_mm256_movemask_ps(m)); }
 
 GONIO_INLINE F select(M m, F a, F b) { return _mm256_blendv_ps(b, a, m); }

@@ -24,6 +24,8 @@ GONIO_INLINE F min(F a, F b) { return _mm512_min_ps(a, b); }
 GONIO_INLINE D min(D a, D b) { return _mm512_min_pd(a, b); }
 GONIO_INLINE F max(F a, F b) { return _mm512_max_ps(a, b); }
 GONIO_INLINE D max(D a, D b) { return _mm512_max_pd(a, b); }
+GONIO_INLINE F multiply_add(F a, F b, F c) { return _mm512_fmadd_ps(a, b, c); }
+GONIO_INLINE D multiply_add(D a, D b, D c) { return _mm512_fmadd_pd(a, b, c); }
 GONIO_INLINE F sqrt(F x) { return _mm512_sqrt_ps(x); }
 GONIO_INLINE D sqrt(D x) { return _mm512_sqrt_pd(x); }
 GONIO_INLINE D round(D x) {
@@ -33,13 +35,11 @@ GONIO_INLINE D floor(D x) {
   return _mm512_roundscale_pd(x, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
 }
 
-// 1/x to 14 bits, for normal x.
-GONIO_INLINE D reciprocal_estimate(D x) { return _mm512_rcp14_pd(x); }
-// 1/x to 42 bits, for normal x: the estimate and one third-order step.
-GONIO_INLINE D reciprocal_fast(D x) {
-  const D r = reciprocal_estimate(x);
-  const D e = _mm512_fnmadd_pd(x, r, _mm512_set1_pd(1));
-  return _mm512_fmadd_pd(r, _mm512_fmadd_pd(e, e, e), r);
+// a/b to 42 bits, for normal b: an estimate of 1/b to 14 bits and one third-order step.
+GONIO_INLINE D divide_fast(D a, D b) {
+  const D r = _mm512_rcp14_pd(b);
+  const D e = _mm512_fnmadd_pd(b, r, _mm512_set1_pd(1));
+  return a * _mm512_fmadd_pd(r, _mm512_fmadd_pd(e, e, e), r);
 }
 
 // floor(log2 x) for normal x > 0, and x * 2^k for whole k.
@@ -48,7 +48,7 @@ GONIO_INLINE D scale(D x, D k) { return _mm512_scalef_pd(x, k); }
 GONIO_INLINE F scale(F x, F k) { return _mm512_scalef_ps(x, k); }
 
 // The nearest whole k to log2(a / c), give or take .09, as 2^k and as k; 0 whenever a/c lies in
-// [1, 1.4]. The bits of a positive number grow like its logarithm, from corner to corner.
+// [1, 4/3). The bits of a positive number grow like its logarithm, from corner to corner.
 GONIO_INLINE void nearest_power(D a, D c, D& power, D& k) {
   const __m512i difference = _mm512_sub_epi64(_mm512_castpd_si512(a), _mm512_castpd_si512(c));
   const __m512i biased = _mm512_add_epi64(difference, _mm512_set1_epi64(0x3ff8000000000000));
@@ -86,8 +86,6 @@ GONIO_INLINE M less(D alo, D ahi, D blo, D bhi) {
                          _mm512_cmp_pd_mask(alo, blo, _CMP_LT_OQ));
 }
 GONIO_INLINE M mask_and(M a, M b) { return _kand_mask16(a, b); }
-GONIO_INLINE M mask_or(M a, M b) { return _kor_mask16(a, b); }
-GONIO_INLINE M mask_not(M a) { return _knot_mask16(a); }
 GONIO_INLINE unsigned bits(M m) { return _cvtmask16_u32(m); }
 
 GONIO_INLINE F select(M m, F a, F b) { return _mm512_mask_blend_ps(m, b, a); }

@@ -24,22 +24,19 @@ GONIO_INLINE F min(F a, F b) { return _mm_min_ps(a, b); }
 GONIO_INLINE D min(D a, D b) { return _mm_min_pd(a, b); }
 GONIO_INLINE F max(F a, F b) { return _mm_max_ps(a, b); }
 GONIO_INLINE D max(D a, D b) { return _mm_max_pd(a, b); }
+GONIO_INLINE F multiply_add(F a, F b, F c) { return a * b + c; }
+GONIO_INLINE D multiply_add(D a, D b, D c) { return a * b + c; }
 GONIO_INLINE F sqrt(F x) { return _mm_sqrt_ps(x); }
 GONIO_INLINE D sqrt(D x) { return _mm_sqrt_pd(x); }
 // Adding and taking away 1.5 * 2^52 leaves the nearest whole number, for |x| < 2^51.
-GONIO_INLINE D round(D x) {
-  D shifted = x + _mm_set1_pd(0x1.8p52);
-  asm("" : "+x"(shifted));  // keeps the compiler from seeing x + c - c
-  return shifted - _mm_set1_pd(0x1.8p52);
-}
+GONIO_INLINE D round(D x) { return (x + _mm_set1_pd(0x1.8p52)) - _mm_set1_pd(0x1.8p52); }
 GONIO_INLINE D floor(D x) {
   const D nearest = round(x);
   return nearest - _mm_and_pd(_mm_cmpgt_pd(nearest, x), _mm_set1_pd(1));
 }
 
 // There is no estimate in double here; a division is exact and quick enough.
-GONIO_INLINE D reciprocal_estimate(D x) { return _mm_set1_pd(1) / x; }
-GONIO_INLINE D reciprocal_fast(D x) { return _mm_set1_pd(1) / x; }
+GONIO_INLINE D divide_fast(D a, D b) { return a / b; }
 
 // floor(log2 x) for normal x > 0: the exponent bits, made a double by a constant whose last bit is
 // worth one.
@@ -68,7 +65,7 @@ GONIO_INLINE F scale(F x, F k) {
 }
 
 // The nearest whole k to log2(a / c), give or take .09, as 2^k and as k; 0 whenever a/c lies in
-// [1, 1.4]. The bits of a positive number grow like its logarithm, from corner to corner.
+// [1, 4/3). The bits of a positive number grow like its logarithm, from corner to corner.
 GONIO_INLINE void nearest_power(D a, D c, D& power, D& k) {
   const __m128i difference = _mm_sub_epi64(_mm_castpd_si128(a), _mm_castpd_si128(c));
   const __m128i biased = _mm_add_epi64(difference, _mm_set1_epi64x(0x3ff8000000000000));
@@ -100,8 +97,6 @@ GONIO_INLINE M less(D alo, D ahi, D blo, D bhi) {
                         _mm_castpd_ps(_mm_cmplt_pd(ahi, bhi)), 0x88);
 }
 GONIO_INLINE M mask_and(M a, M b) { return _mm_and_ps(a, b); }
-GONIO_INLINE M mask_or(M a, M b) { return _mm_or_ps(a, b); }
-GONIO_INLINE M mask_not(M a) { return _mm_xor_ps(a, _mm_castsi128_ps(_mm_set1_epi32(-1))); }
 GONIO_INLINE unsigned bits(M m) { return static_cast<unsigned>(_mm_movemask_ps(m)); }
 
 GONIO_INLINE F select(M m, F a, F b) { return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b)); }

@@ -1,11 +1,11 @@
 // Number systems: what a model's template is instantiated with.
 //
 // A number system N offers
-//   N::Wide, N::Real   the types of geometry (float64 packets, or the scalar) and of colours and
-//   results (float32 packets
-//                      for Fast, else as Wide), both with + - * / < min max select
-//   N::Mask            the result of a comparison
-//   N::WideScalar, N::RealScalar   the types of a material's constants that go with them
+//   Wide, Real         types of geometry, and of colours and results: float64 packets; float32
+//                      packets for Fast's Real. Both with + - * / < min max select
+//   Mask, Out          the result of a comparison; the number that results are stored as
+//   WideScalar, RealScalar         types of a material's constants that go with them
+//   largest()          the largest finite Out
 //   real(w)            Wide to Real
 //   root(w)            square root of a Wide, as Real; 0 where Real cannot hold it
 //   inverse_length(e)  1 / sqrt(1 + e), of either type
@@ -14,45 +14,8 @@
 //   kQuick             whether errors of 1e-14 are small enough to save work for
 #pragma once
 
-#include <cmath>
-#include <limits>
-
 #include "numeric/elementary.h"
 #include "numeric/packet.h"
-
-namespace gonio {
-
-// Scalars: double, long double or dual numbers. The product's own truth, and the fitter's
-// derivatives.
-template <class T>
-struct Plain {
-  using WideScalar = T;
-  using RealScalar = T;
-  using Wide = T;
-  using Real = T;
-  using Mask = bool;
-  static constexpr bool kQuick = false;
-  static T largest() { return T(std::numeric_limits<double>::max()); }
-  static T real(T w) { return w; }
-  static T root(T w) {
-    using std::sqrt;
-    return sqrt(w);
-  }
-  static T inverse_length(T e) {
-    using std::sqrt;
-    return T(1) / sqrt(T(1) + e);
-  }
-  static T weighted_log2_1p(T w, T s, T c, T) {
-    using std::log1p;
-    return w / (s + T(1e-250)) * (log1p(s / c) / T(0.693147180559945309417232121458176568L));
-  }
-  static T times_exp2(T amplitude, T x) {
-    using std::exp2;
-    return amplitude * exp2(x);
-  }
-};
-
-}  // namespace gonio
 
 namespace gonio::GONIO_ISA {
 

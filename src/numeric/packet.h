@@ -22,14 +22,10 @@ namespace gonio::GONIO_ISA {
 struct Mask {
   raw::M m;
   friend GONIO_INLINE Mask operator&(Mask a, Mask b) { return {raw::mask_and(a.m, b.m)}; }
-  friend GONIO_INLINE Mask operator|(Mask a, Mask b) { return {raw::mask_or(a.m, b.m)}; }
-  friend GONIO_INLINE Mask operator!(Mask a) { return {raw::mask_not(a.m)}; }
   [[nodiscard]] GONIO_INLINE unsigned bits() const { return raw::bits(m); }  // one bit a lane
 };
 
 inline constexpr unsigned kAllLanes = (1U << raw::kWidth) - 1;
-GONIO_INLINE bool all(Mask m) { return m.bits() == kAllLanes; }
-GONIO_INLINE bool any(Mask m) { return m.bits() != 0; }
 
 struct Float {
   raw::F v;
@@ -48,9 +44,12 @@ struct Float {
   friend GONIO_INLINE Float operator/(Float a, Float b) { return Float(a.v / b.v); }
   friend GONIO_INLINE Float operator-(Float a) { return Float(-a.v); }
   friend GONIO_INLINE Mask operator<(Float a, Float b) { return {raw::less(a.v, b.v)}; }
-  friend GONIO_INLINE Mask operator>(Float a, Float b) { return {raw::less(b.v, a.v)}; }
   friend GONIO_INLINE Float min(Float a, Float b) { return Float(raw::min(a.v, b.v)); }
   friend GONIO_INLINE Float max(Float a, Float b) { return Float(raw::max(a.v, b.v)); }
+  // a b + c d. The compiler would choose which product to round first, and not everywhere alike.
+  friend GONIO_INLINE Float sum_of_products(Float a, Float b, Float c, Float d) {
+    return Float(raw::multiply_add(a.v, b.v, c.v * d.v));
+  }
   friend GONIO_INLINE Float sqrt(Float a) { return Float(raw::sqrt(a.v)); }
   friend GONIO_INLINE Float select(Mask m, Float a, Float b) {
     return Float(raw::select(m.m, a.v, b.v));
@@ -88,18 +87,21 @@ struct Double {
     if constexpr (E == Exactness::exact) {
       return {a.lo / b.lo, a.hi / b.hi};
     } else {
-      return {a.lo * raw::reciprocal_fast(b.lo), a.hi * raw::reciprocal_fast(b.hi)};
+      return {raw::divide_fast(a.lo, b.lo), raw::divide_fast(a.hi, b.hi)};
     }
   }
   friend GONIO_INLINE Mask operator<(Double a, Double b) {
     return {raw::less(a.lo, a.hi, b.lo, b.hi)};
   }
-  friend GONIO_INLINE Mask operator>(Double a, Double b) { return b < a; }
   friend GONIO_INLINE Double min(Double a, Double b) {
     return {raw::min(a.lo, b.lo), raw::min(a.hi, b.hi)};
   }
   friend GONIO_INLINE Double max(Double a, Double b) {
     return {raw::max(a.lo, b.lo), raw::max(a.hi, b.hi)};
+  }
+  // a b + c d, as for Float.
+  friend GONIO_INLINE Double sum_of_products(Double a, Double b, Double c, Double d) {
+    return {raw::multiply_add(a.lo, b.lo, c.lo * d.lo), raw::multiply_add(a.hi, b.hi, c.hi * d.hi)};
   }
   friend GONIO_INLINE Double sqrt(Double a) { return {raw::sqrt(a.lo), raw::sqrt(a.hi)}; }
   friend GONIO_INLINE Double round(Double a) { return {raw::round(a.lo), raw::round(a.hi)}; }

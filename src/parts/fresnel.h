@@ -1,7 +1,8 @@
 // Fresnel reflectance, as a part that microfacet models share.
 //
 // Each kind offers Channel<S> (its constants of one colour channel), Refined<N> and Terms<N> (what
-// depends on the directions only, in two steps as in lobe.h) and reflectance<N>(terms, channel).
+// depends on the directions only, in two steps as in lobe.h) and reflectance<N>(terms, wide, real),
+// which takes the channel's constants in both types.
 // All take cos(theta_d) = h.k, the angle at the microfacet, never n.k. Sources: Schlick 1994, eq.
 // 15; Born & Wolf, "Principles of Optics", 1.5.2 and 14.2.
 #pragma once
@@ -162,7 +163,7 @@ struct Dielectric {
     const Real s = difference / (sum * sum);
     const Real p_numerator = N::real(Wide(k.eta2) * t.c2 - t.s2);
     const Real p = difference * p_numerator / (mixed * mixed);
-    return select(Wide(0) < g2, Real(0.5) * (s * s + p * p), Real(1));
+    return select(Wide(0) < g2, Real(0.5) * sum_of_products(s, s, p, p), Real(1));
   }
 };
 
@@ -215,7 +216,8 @@ struct Conductor {
     const Wide rs = (minus * minus + b2) / (plus * plus + b2);
     const Wide ac = a * t.c;
     const Wide p_minus = ac - t.s2, p_plus = ac + t.s2;
-    const Wide rp = (p_minus * p_minus + b2 * t.c2) / (p_plus * p_plus + b2 * t.c2);
+    const Wide rp =
+        sum_of_products(p_minus, p_minus, b2, t.c2) / sum_of_products(p_plus, p_plus, b2, t.c2);
     return N::real(Wide(0.5) * rs * (Wide(1) + rp));
   }
 };

@@ -63,12 +63,13 @@ class Geometry {
     wi = inverse_i * wide_i;
     wo = inverse_o * wide_o;
     if constexpr (N::kQuick) {
-      half.h = wi + wo;
+      half.h = combine(inverse_i, wide_i, inverse_o, wide_o);
     } else {
-      const Vec3<Wide> sum = wide_i + wide_o, d = wi - wo;
+      const Vec3<Wide> sum = wide_i + wide_o, d = combine(inverse_i, wide_i, -inverse_o, wide_o);
       const Wide excess = dot(wide_i - wide_o, sum);  // |a|^2 - |b|^2
       const Wide product = inverse_i * inverse_o;
-      half.h = inverse_i * sum + (excess * (product * product / (inverse_i + inverse_o))) * wide_o;
+      const Wide change = excess * (product * product / (inverse_i + inverse_o));
+      half.h = combine(inverse_i, sum, change, wide_o);
       half.difference2 = dot(d, d);
     }
     const Real error_i = length_error(given_i), error_o = length_error(given_o);

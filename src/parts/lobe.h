@@ -1,7 +1,8 @@
 // A specular lobe: amplitude(wi, wo) * F(h.k) * scale, the frame that the microfacet models share.
 //
-// Shape gives the amplitude (once for all channels); Fresnel and the colour scale differ by
-// channel.
+// Model gives the amplitude, once for all channels, in three steps: stage(shape, geometry),
+// refine(shape, half, stage) and amplitude(shape, stage, refined). Fresnel (parts/fresnel.h) and
+// the colour scale differ by channel.
 #pragma once
 
 #include "models/parameter_values.h"

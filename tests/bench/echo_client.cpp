@@ -8,7 +8,7 @@
 
 namespace gonio::bench {
 
-bool echo_stream(const std::shared_ptr<grpc::Channel>& channel, const grpc::ByteBuffer& message,
+bool echo_stream(const std::shared_ptr<grpc::Channel>& channel, const EchoEnds& ends,
                  std::size_t count, std::size_t in_flight) {
   enum Tag : std::intptr_t { started, wrote, read, finished };
   const auto tag_of = [](Tag tag) { return reinterpret_cast<void*>(tag); };
@@ -25,10 +25,13 @@ bool echo_stream(const std::shared_ptr<grpc::Channel>& channel, const grpc::Byte
     void* tag = nullptr;
     if (!queue.Next(&tag, &ok) || !ok) return false;
     if (tag == tag_of(started)) call->Read(&answer, tag_of(read));
-    if (tag == tag_of(read) && ++received < count) call->Read(&answer, tag_of(read));
+    if (tag == tag_of(read)) {
+      ends.take(received, answer);
+      if (++received < count) call->Read(&answer, tag_of(read));
+    }
     writable = writable || tag != tag_of(read);
     if (!writable || sent == count || sent - received >= in_flight) continue;
-    call->Write(message, tag_of(wrote));
+    call->Write(ends.message(sent), tag_of(wrote));
     writable = false;
     ++sent;
   }

@@ -199,6 +199,7 @@ TYPED_TEST(Lookup, ReproducesASmoothFunction) {
           smooth(u * u * std::numbers::pi / 2, static_cast<double>(at.d) * std::numbers::pi / 180,
                  static_cast<double>(at.p) * std::numbers::pi / 180);
       for (std::size_t c = 0; c < 3; ++c) {
+        ASSERT_TRUE(std::isfinite(got.values[3 * i + c]));
         worst = std::max(worst, std::abs(static_cast<double>(got.values[3 * i + c]) - want[c]));
       }
     }
@@ -255,6 +256,7 @@ TYPED_TEST(Lookup, AgreesOnRealMaterials) {
         ASSERT_EQ(got.flags[i], 0);
         for (std::size_t c = 0; c < 3; ++c) {
           const auto error = std::abs(static_cast<Real>(got.values[3 * i + c]) - want.value[c]);
+          ASSERT_TRUE(std::isfinite(got.values[3 * i + c]));
           worst = std::max(worst, static_cast<double>(error / want.largest));
         }
       }

@@ -175,6 +175,9 @@ TEST_P(Accuracy, StaysProperAtTheSmallestNumbers) {
           return std::array<double, 3>{sin * side, sin * std::sqrt(1 - side * side), cos};
         };
         pairs.push_back({at(a, 0.8), at(b, x), PairKind::tiny_z});
+        // Nearly opposite: H is the cosines alone.
+        const auto wi = at(a, x);
+        pairs.push_back({wi, {-wi[0], -wi[1], b}, PairKind::tiny_z});
       }
     }
   }

@@ -40,6 +40,7 @@ void expect_reciprocal(const Draw& draw, const std::vector<DirectionPair<float>>
     const std::vector<Out> back = library_values<Out>(material, exchanged(pairs), isa);
     for (std::size_t i = 0; i < there.size(); ++i) {
       const double a = static_cast<double>(there[i]), b = static_cast<double>(back[i]);
+      ASSERT_TRUE(std::isfinite(a) && std::isfinite(b));
       const double larger = std::max(a, b);
       const auto& pair = pairs[i / (there.size() / pairs.size())];
       const double cosine = std::min(pair.wi[2], pair.wo[2]);

@@ -6,9 +6,9 @@ if(CMAKE_BUILD_TYPE STREQUAL "Debug")
   set(KERNEL_FLAGS -ffp-contract=fast -Wno-maybe-uninitialized)
 endif()
 if(GONIO_SANITIZE)
-  # Fully inlined packets multiply what a sanitizer adds: minutes a file. Memory and races are checked through calls, with
-  # short debug information; undefined behaviour of scalars is checked everywhere else.
-  list(APPEND KERNEL_FLAGS -O2 -g1 -fno-sanitize=undefined)
+  # Fully inlined packets multiply what a sanitizer adds: minutes a file. Memory and races are checked through calls, without
+  # debug information; undefined behaviour of scalars is checked everywhere else.
+  list(APPEND KERNEL_FLAGS -O1 -g0 -fno-sanitize=undefined)
   if(GONIO_SANITIZE MATCHES "address")
     list(APPEND KERNEL_FLAGS --param asan-instrumentation-with-call-threshold=0)
   endif()
