@@ -155,6 +155,9 @@ TEST(NpyInput, Errors) {
   }
   EXPECT_THAT(error(npy("<f4", "False", "(1, 6)", row).substr(0, 50)),
               HasSubstr("ends within its header"));
+  const std::string spaces = "{'descr':" + std::string(65526, ' ');
+  EXPECT_THAT(error("\x93NUMPY" + std::string("\x01\x00\xff\xff", 4) + spaces),
+              AllOf(HasSubstr("65535"), HasSubstr("at most 4096 bytes")));
   EXPECT_THAT(error("\x93NUMPY"), HasSubstr("header"));
   EXPECT_THAT(error("\x93NUMPY\x07__________________"), HasSubstr("version 7"));
 }
