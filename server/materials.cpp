@@ -10,6 +10,7 @@
 #include "measured/table.h"
 #include "server/near_names.h"
 #include "wire/convert.h"
+#include "wire/material_size.h"
 
 namespace gonio {
 namespace {
@@ -132,6 +133,8 @@ std::vector<std::string> Materials::names() const {
 Result<Material> Materials::resolve(const std::optional<std::string>& bytes) const {
   if (!bytes) return build({});
   if (auto known = cache_->find(*bytes)) return *known;
+  const auto fit = wire::check_material_size(bytes->size());
+  if (!fit) return fit.error();
   v1::Material material;
   if (!material.ParseFromString(*bytes)) {
     return bad_value("material", "not a " + material.GetTypeName(), "the bytes of one");

@@ -71,7 +71,9 @@ Result<Material> StreamCall::material_of(const wire::StreamRequest& chunk) {
     return bad_value("slot", std::to_string(chunk.slot), "0 to " + std::to_string(kSlots - 1));
   }
   if (chunk.request && chunk.request->material) {
-    const auto material = backend_.materials.resolve(chunk.request->material);
+    auto material = backend_.materials.resolve(chunk.request->material);
+    // Kept as long as the stream: no more of it than will be sent.
+    if (!material) material = wire::from_detail(wire::to_detail(material.error()));
     return slots_.insert_or_assign(chunk.slot, material).first->second;
   }
   const auto known = slots_.find(chunk.slot);
