@@ -143,6 +143,25 @@ TEST(Limits, AGigabyteIsRefusedAndTheServerLives) {
   EXPECT_EQ(server.evaluated(ggx_request(random_pairs(5))).values_size(), 15);
 }
 
+TEST(Limits, ACompressedRequestIsRefusedAndTheServerLives) {
+  ServerOptions options;
+  options.addresses = {"127.0.0.1:0"};
+  TestServer server(options);
+  const auto stub = v1::GonioService::NewStub(grpc::CreateChannel(
+      "127.0.0.1:" + std::to_string(server.server->port()), grpc::InsecureChannelCredentials()));
+  v1::EvaluateRequest request = ggx_request(random_pairs(5));
+  request.mutable_pairs()->mutable_wi()->Resize(3'000'000, 0);
+  for (const auto algorithm : {GRPC_COMPRESS_GZIP, GRPC_COMPRESS_DEFLATE}) {
+    grpc::ClientContext context;
+    context.set_compression_algorithm(algorithm);
+    v1::EvaluateResponse response;
+    const grpc::Status status = stub->Evaluate(&context, request, &response);
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::UNIMPLEMENTED) << status.error_message();
+    EXPECT_THAT(status.error_message(), HasSubstr("ompression"));
+  }
+  EXPECT_EQ(server.evaluated(ggx_request(random_pairs(5))).values_size(), 15);
+}
+
 TEST(Limits, GarbageIsRefusedAndTheServerLives) {
   TestServer server;
   const auto channel = server.server->in_process_channel();
