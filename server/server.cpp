@@ -168,10 +168,12 @@ std::shared_ptr<grpc::Channel> Server::in_process_channel() {
 int Server::port() const { return state_->port; }
 
 void Server::shutdown(std::chrono::milliseconds grace) {
+  bool is_first = false;
   {
     const std::lock_guard lock(state_->mutex);
-    if (std::exchange(state_->stopping, true)) return;
+    is_first = !std::exchange(state_->stopping, true);
   }
+  if (!is_first) return wait();
   state_->stop(grace);
   const std::lock_guard lock(state_->mutex);
   state_->stopped = true;

@@ -64,7 +64,8 @@ class Server {
   [[nodiscard]] int port() const;
 
   // Reports NOT_SERVING, serves for the lame duck, then takes no new calls and waits up to `grace`
-  // for those under way before cancelling them. Returns when all is over. Idempotent.
+  // for those under way before cancelling them. Returns when all is over, also
+  // where another call has begun it.
   void shutdown(std::chrono::milliseconds grace);
 
   // Returns when the server has been shut down.
