@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 #include "wire/convert.h"
 
@@ -27,6 +28,13 @@ Error only_embedded(const std::string& file) {
       "the file into goniod's --materials folder and give its name");
 }
 
+// The path itself where there is no current folder to start from.
+std::string absolute_path(const fs::path& path) {
+  std::error_code failure;
+  const fs::path found = fs::absolute(path, failure);
+  return failure ? path.string() : found.string();
+}
+
 // A measured material's file lies beside the JSON that names it, as in goniod's --materials folder.
 Result<Material> material_beside(const std::string& json, const fs::path& folder, bool embedded,
                                  const std::string& origin) {
@@ -34,10 +42,11 @@ Result<Material> material_beside(const std::string& json, const fs::path& folder
   if (!message) return error_in(origin, message.error().message);
   auto& fields = *message->mutable_parameters()->mutable_fields();
   const auto file = fields.find("file");
-  if (message->model() == "measured" && file != fields.end()) {
+  // What is no name is left as it is, for the server to say what is wrong with it.
+  if (message->model() == "measured" && file != fields.end() && file->second.has_string_value()) {
     const std::string name = file->second.string_value();
     if (!embedded) return only_embedded(name);
-    file->second.set_string_value(fs::absolute(folder / name).string());
+    if (!name.empty()) file->second.set_string_value(absolute_path(folder / name));
   }
   if (fields.empty()) message->clear_parameters();
   std::string resolved;
@@ -48,7 +57,7 @@ Result<Material> material_beside(const std::string& json, const fs::path& folder
 
 Result<Material> measured(const std::string& file, bool embedded) {
   if (!embedded) return only_embedded(file);
-  return Material::model("measured", {{"file", fs::absolute(file).string()}});
+  return Material::model("measured", {{"file", absolute_path(file)}});
 }
 
 Result<Material> read_file(const std::string& file, bool embedded) {
