@@ -7,6 +7,7 @@
 #include <iterator>
 #include <system_error>
 
+#include "engine/registry.h"
 #include "wire/convert.h"
 
 namespace gonio::cli {
@@ -79,6 +80,16 @@ Result<Material> read_file(const std::string& file, bool embedded) {
   return material_beside(json, fs::path(file).parent_path(), embedded, file);
 }
 
+// Without a server nothing is stored; a model's name is not yet a material.
+Error nothing_stored(const std::string& name) {
+  std::string allowed =
+      "without --server: inline JSON such as '{\"model\": \"ggx\"}', or FILE.json";
+  if (find_model(name)) allowed = "for this model: '{\"model\": \"" + name + "\"}'";
+  Error error = bad_value("--material", "\"" + name + "\"", allowed, ErrorCode::not_found);
+  error.message = "no material \"" + name + "\" is stored; allowed " + allowed;
+  return error;
+}
+
 }  // namespace
 
 Result<Material> read_material(const std::string& argument, bool embedded) {
@@ -91,7 +102,9 @@ Result<Material> read_material(const std::string& argument, bool embedded) {
   const std::string extension = fs::path(argument).extension();
   const bool file =
       extension == ".json" || extension == ".binary" || argument.find('/') != std::string::npos;
-  return file ? read_file(argument, embedded) : Material::named(argument);
+  if (file) return read_file(argument, embedded);
+  if (embedded) return nothing_stored(argument);
+  return Material::named(argument);
 }
 
 }  // namespace gonio::cli
