@@ -49,7 +49,8 @@ void describe(CLI::App& app, Arguments& arguments) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_option("--memory-quota-mb", arguments.memory_quota_mb,
-                 "What gRPC may hold in buffers, in MiB; at least --max-message-mb")
+                 "What requests and answers may hold, and gRPC's buffers beside them, in MiB each; "
+                 "at least --max-message-mb")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
   app.add_option(

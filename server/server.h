@@ -32,7 +32,8 @@ struct ServerOptions {
   std::size_t max_queued_jobs = 256;
   // The largest message received or sent.
   std::size_t max_message_bytes = std::size_t{64} << 20;
-  // What gRPC may hold in buffers, all connections together.
+  // What the requests and answers under way may hold, all calls together (one more is refused with
+  // RESOURCE_EXHAUSTED), and what gRPC may hold in buffers beside them.
   std::size_t memory_quota_bytes = std::size_t{1} << 30;
   // Every *.json and *.binary in it is served under its stem; empty for none.
   std::filesystem::path materials = {};

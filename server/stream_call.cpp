@@ -92,7 +92,7 @@ Result<std::shared_ptr<Evaluation>> StreamCall::prepare(const wire::StreamReques
 
 void StreamCall::computed(std::uint64_t sequence, Evaluation& evaluation, std::size_t held_bytes,
                           bool completed) {
-  Answer answer{{}, held_bytes};
+  Answer answer{{}, held_bytes, evaluation.take_charge()};
   if (completed) answer.message = wire::encode_stream_response(sequence, evaluation.take_answer());
   {
     const std::lock_guard lock(mutex_);

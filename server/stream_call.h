@@ -31,6 +31,7 @@ class StreamCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   struct Answer {
     grpc::ByteBuffer message;
     std::size_t held_bytes = 0;  // given back when it is written
+    MemoryBudget::Charge charge = {};
   };
 
   void OnReadDone(bool ok) override;
