@@ -11,6 +11,7 @@
 #include <array>
 #include <utility>
 
+#include "client/address.h"
 #include "client/convert.h"
 #include "client/retry.h"
 #include "client/rpc.h"
@@ -99,7 +100,7 @@ Client::Client(Client&&) noexcept = default;
 Client& Client::operator=(Client&&) noexcept = default;
 
 Result<Client> Client::connect(const std::string& address, const ClientOptions& options) {
-  if (address.empty()) return bad_value("address", "empty", "host:port or unix:/path");
+  if (auto checked = check_address(address); !checked) return checked.error();
   return from_channel(
       grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments(options)),
       "the server at " + address, options);

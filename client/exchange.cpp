@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "client/check_answer.h"
 #include "client/convert.h"
 #include "wire/codec.h"
 #include "wire/fields.h"
@@ -17,32 +18,6 @@ constexpr std::uint32_t kSlot = 0;  // one material a stream
 
 const wire::PairSlices* directions_of(const OutgoingChunk& chunk) {
   return chunk.directions ? &*chunk.directions : nullptr;
-}
-
-Error malformed(const Peer& peer, const std::string& what) {
-  return {
-      ErrorCode::internal, peer.name + " sent an answer that makes no sense: " + what, {}, {}, {}};
-}
-
-// Lengths are checked here once, so that the receivers can rely on them.
-Outcome check_lengths(const Peer& peer, const OutgoingChunk& chunk, const wire::Response& answer,
-                      const Report& report) {
-  const std::size_t channels = answer.head.channels();
-  const bool f64 = report.precision == Precision::reference;
-  if (channels == 0 || (report.channels != 0 && std::cmp_not_equal(channels, report.channels))) {
-    return malformed(peer, std::to_string(channels) + " channels");
-  }
-  if (answer.values.count != chunk.pairs * channels || answer.is_f64 != f64) {
-    return malformed(peer, std::to_string(answer.values.count) +
-                               (answer.is_f64 ? " float64" : " float32") + " values for " +
-                               std::to_string(chunk.pairs) + " pairs of " +
-                               std::to_string(channels) + " channels");
-  }
-  if (answer.flags.count != 0 && answer.flags.count != chunk.pairs) {
-    return malformed(peer, std::to_string(answer.flags.count) + " flags for " +
-                               std::to_string(chunk.pairs) + " pairs");
-  }
-  return Ok{};
 }
 
 }  // namespace
@@ -90,7 +65,7 @@ Outcome Exchange::run_stream(std::size_t limit) {
     if (*finished) return Ok{};
     const Failure failure = stream.failure();
     if (!patience_.pause_to_retry(failure)) return failure.error;
-    for (auto& [sequence, pending] : pending_) pending.on_its_way = false;
+    send_again();
   }
 }
 
@@ -98,7 +73,13 @@ Result<bool> Exchange::run_one_stream(Stream& stream) {
   bool with_material = true;
   for (;;) {
     if (stream.writable()) {
-      if (auto sent = send_next(stream, with_material); !sent) return sent.error();
+      auto sent = send_next(stream, with_material);
+      if (!sent) return sent.error();
+      if (!*sent && only_refused_left()) {
+        if (!patience_.pause_to_retry(refusal_)) return refusal_.error;
+        send_again();
+        continue;
+      }
     }
     if (done()) {
       stream.close();
@@ -114,9 +95,8 @@ Result<bool> Exchange::run_one_stream(Stream& stream) {
 Result<std::optional<std::uint64_t>> Exchange::choose_next() {
   std::size_t unanswered = 0;
   for (const auto& [sequence, pending] : pending_) {
-    if (pending.answer) continue;
-    if (!pending.on_its_way) return std::optional(sequence);
-    ++unanswered;
+    if (pending.state == State::to_send) return std::optional(sequence);
+    if (pending.state != State::answered) ++unanswered;
   }
   // Answers that wait for their turn take memory too.
   const bool full = unanswered >= in_flight_ || pending_.size() >= 2 * in_flight_;
@@ -129,24 +109,44 @@ Result<std::optional<std::uint64_t>> Exchange::choose_next() {
   return std::optional(next_sequence_++);
 }
 
-Outcome Exchange::send_next(Stream& stream, bool& with_material) {
+Result<bool> Exchange::send_next(Stream& stream, bool& with_material) {
   auto sequence = choose_next();
   if (!sequence) return sequence.error();
-  if (!*sequence) return Ok{};
+  if (!*sequence) return false;
   Pending& pending = pending_.at(**sequence);
   const auto head = head_for(pending.chunk, with_material);
   const auto* directions = directions_of(pending.chunk);
   stream.write(wire::encode_stream_request(**sequence, kSlot, head, directions));
-  pending.on_its_way = true;
+  pending.state = State::on_its_way;
   with_material = false;
-  return Ok{};
+  return true;
+}
+
+// One full queue refuses all the chunks that come to it: only when the last of them is back is it
+// time to pause, once for all.
+bool Exchange::only_refused_left() const {
+  const auto on_its_way = [](const auto& one) { return one.second.state == State::on_its_way; };
+  return !pending_.empty() && std::ranges::none_of(pending_, on_its_way);
+}
+
+// An answer leaves room for another chunk in the server's queue.
+void Exchange::send_one_refused_again() {
+  for (auto& [sequence, pending] : pending_) {
+    if (pending.state == State::refused) return void(pending.state = State::to_send);
+  }
+}
+
+void Exchange::send_again() {
+  for (auto& [sequence, pending] : pending_) {
+    if (pending.state != State::answered) pending.state = State::to_send;
+  }
 }
 
 Outcome Exchange::take(const grpc::ByteBuffer& message) {
   auto response = wire::decode_stream_response(message);
   if (!response) return malformed(peer_, response.error().message);
   const auto found = pending_.find(response->sequence);
-  if (found == pending_.end() || !found->second.on_its_way || found->second.answer) {
+  if (found == pending_.end() || found->second.state != State::on_its_way) {
     return malformed(
         peer_, "sequence number " + std::to_string(response->sequence) + ", which is not awaited");
   }
@@ -154,13 +154,14 @@ Outcome Exchange::take(const grpc::ByteBuffer& message) {
     return take_error(response->sequence, *detail);
   }
   patience_.progress();
+  send_one_refused_again();
   return take_answer(response->sequence, std::get<wire::Response>(std::move(response->result)));
 }
 
 Outcome Exchange::take_error(std::uint64_t sequence, const gonio::v1::ErrorDetail& detail) {
-  const Failure failure = failure_of(detail);
-  if (!patience_.pause_to_retry(failure)) return failure.error;
-  pending_.at(sequence).on_its_way = false;
+  refusal_ = failure_of(detail);
+  if (!refusal_.may_retry) return refusal_.error;
+  pending_.at(sequence).state = State::refused;
   return Ok{};
 }
 
@@ -169,10 +170,12 @@ Outcome Exchange::take_answer(std::uint64_t sequence, wire::Response answer) {
     auto taken = pending_.extract(sequence);
     return deliver(taken.mapped().chunk, answer);
   }
-  pending_.at(sequence).answer = std::move(answer);
-  while (!pending_.empty() && pending_.begin()->second.answer) {
+  Pending& answered = pending_.at(sequence);
+  answered.state = State::answered;
+  answered.answer = std::move(answer);
+  while (!pending_.empty() && pending_.begin()->second.state == State::answered) {
     auto taken = pending_.extract(pending_.begin());
-    if (auto delivered = deliver(taken.mapped().chunk, *taken.mapped().answer); !delivered) {
+    if (auto delivered = deliver(taken.mapped().chunk, taken.mapped().answer); !delivered) {
       return delivered;
     }
   }

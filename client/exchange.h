@@ -37,20 +37,29 @@ class Exchange {
   [[nodiscard]] const Report& report() const { return report_; }
 
  private:
+  enum class State : std::uint8_t {
+    to_send,
+    on_its_way,
+    refused,   // by a server that was too busy; sent again later
+    answered,  // held back until its turn
+  };
   struct Pending {
     OutgoingChunk chunk;
-    bool on_its_way = false;
-    std::optional<wire::Response> answer;  // held back until its turn
+    State state = State::to_send;
+    wire::Response answer;
   };
 
-  Result<bool> run_one_stream(Stream& stream);  // false: the stream broke
-  Outcome send_next(Stream& stream, bool& with_material);
+  Result<bool> run_one_stream(Stream& stream);                  // false: the stream broke
+  Result<bool> send_next(Stream& stream, bool& with_material);  // false: nothing to send
   Result<std::optional<std::uint64_t>> choose_next();
   std::string_view head_for(const OutgoingChunk& chunk, bool with_material);
   Outcome take(const grpc::ByteBuffer& message);
   Outcome take_answer(std::uint64_t sequence, wire::Response answer);
   Outcome take_error(std::uint64_t sequence, const gonio::v1::ErrorDetail& detail);
   Outcome deliver(const OutgoingChunk& chunk, const wire::Response& answer);
+  [[nodiscard]] bool only_refused_left() const;
+  void send_one_refused_again();
+  void send_again();
   [[nodiscard]] bool done() const { return at_end_ && pending_.empty(); }
 
   const Peer& peer_;
@@ -64,6 +73,7 @@ class Exchange {
   std::size_t limit_ = 0;
   std::map<std::uint64_t, Pending> pending_;  // by sequence number; not yet delivered
   std::uint64_t next_sequence_ = 0;
+  Failure refusal_;  // the latest
   bool at_end_ = false;
 };
 

@@ -11,6 +11,8 @@ namespace gonio::client {
 namespace {
 
 constexpr std::chrono::milliseconds kLongestPause{2000};
+// A server that asks for more does not want to be asked again.
+constexpr long kLongestPushback = 60'000;
 constexpr std::chrono::milliseconds kLongestDeadline = std::chrono::hours(24 * 365);
 
 std::optional<long> pushback_of(const grpc::ClientContext& context) {
@@ -20,7 +22,8 @@ std::optional<long> pushback_of(const grpc::ClientContext& context) {
   long milliseconds = -1;  // what cannot be read means "do not", as gRPC's own retries have it
   const char* end = found->second.data() + found->second.size();
   const auto [at, error] = std::from_chars(found->second.data(), end, milliseconds);
-  return error == std::errc{} && at == end ? milliseconds : -1;
+  const bool readable = error == std::errc{} && at == end;
+  return readable && milliseconds <= kLongestPushback ? milliseconds : -1;
 }
 
 // gRPC's own words ("failed to connect to all addresses") need the server's name to be of use.

@@ -25,7 +25,7 @@ struct Failure {
 
 // UNAVAILABLE may be tried again, RESOURCE_EXHAUSTED where the server says when (otherwise it means
 // "too large"), and neither where it says never (a negative pushback, as in gRPC's retry design
-// A6). `peer` is the server's name in messages.
+// A6, or one of more than a minute). `peer` is the server's name in messages.
 Failure failure_of(const grpc::Status& status, const grpc::ClientContext& context,
                    const std::string& peer);
 // The same for a chunk of a stream that is otherwise well.

@@ -1,7 +1,7 @@
 // One unary call, with its retries. Internal to the client library.
 //
-// Every call has a completion queue to itself, which the calling thread polls: no thread is woken
-// for an answer.
+// A call has a completion queue to itself while it lasts, from a pool; the calling thread polls it:
+// no thread is woken for an answer.
 #pragma once
 
 #include <grpcpp/channel.h>

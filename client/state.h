@@ -1,4 +1,5 @@
-// What a Client holds. Internal to the client library. Thread safety: immutable.
+// What a Client holds. Internal to the client library. Thread safety: any thread; only the pool of
+// queues changes, under a lock of its own.
 #pragma once
 
 #include "client/client.h"

@@ -66,7 +66,7 @@ struct Report {
   std::uint64_t flagged = 0;  // pairs with any flag
   std::array<std::uint64_t, kFlagBits>
       flagged_by{};  // pairs with this bit; a pair may have several
-  int retries = 0;   // calls, streams or chunks that had to be sent again
+  int retries = 0;   // times that a call, a stream or refused chunks were sent again after a pause
 };
 
 }  // namespace gonio::client

@@ -89,7 +89,7 @@ Result<MaterialSpec> to_spec(const v1::Material& material, const std::string& pr
   return spec;
 }
 
-// Exactly one of the forms, and no parameters without their model.
+// Exactly one of the forms, no parameters without their model, and not too many lobes.
 Outcome check_form(const v1::Material& material, const std::string& field) {
   constexpr const char* kAllowed =
       R"(exactly one of {"name": ...}, {"model": ..., "parameters": {...}} and {"diffuse": ..., "specular": [...]})";
@@ -101,6 +101,10 @@ Outcome check_form(const v1::Material& material, const std::string& field) {
   if (material.has_parameters() && material.model().empty()) {
     return bad_value(field + ".parameters", "given without a model",
                      "parameters beside \"model\" or within a lobe");
+  }
+  if (material.specular_size() > kMaxSpecularLobes) {
+    return bad_value(field + ".specular", std::to_string(material.specular_size()) + " lobes",
+                     "at most " + std::to_string(kMaxSpecularLobes) + " lobes");
   }
   return Ok{};
 }

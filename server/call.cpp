@@ -7,8 +7,25 @@
 
 namespace gonio {
 
+namespace {
+
+Error busy(const std::string& what) {
+  return {ErrorCode::resource_exhausted,
+          "the server's " + what + "; send this one again after " + kPushbackMilliseconds + " ms",
+          "", "", ""};
+}
+
+}  // namespace
+
 Outcome compute(const Backend& backend, const std::shared_ptr<Evaluation>& evaluation,
                 const CallState& state, std::function<void(bool completed)> done) {
+  auto charge = backend.memory.take(evaluation->bytes());
+  if (!charge) {
+    return busy("memory is full: requests and answers hold " +
+                std::to_string(backend.memory.held()) + " of " +
+                std::to_string(backend.memory.limit()) + " bytes");
+  }
+  evaluation->keep(std::move(charge));
   if (evaluation->is_small()) {
     evaluation->run_all();
     done(true);
@@ -20,11 +37,8 @@ Outcome compute(const Backend& backend, const std::shared_ptr<Evaluation>& evalu
   job.stop = [&state] { return state.is_over(); };
   job.done = std::move(done);
   if (backend.pool.submit(std::move(job))) return Ok{};
-  return Error{ErrorCode::resource_exhausted,
-               "the server's queue is full: it holds at most " +
-                   std::to_string(backend.max_queued_jobs) +
-                   " batches; send this one again after " + kPushbackMilliseconds + " ms",
-               "", "", ""};
+  return busy("queue is full: it holds at most " + std::to_string(backend.max_queued_jobs) +
+              " batches");
 }
 
 AccessLine::AccessLine(const char* method_name, const grpc::CallbackServerContext& context,

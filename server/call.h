@@ -15,6 +15,7 @@
 #include "engine/thread_pool.h"
 #include "server/evaluation.h"
 #include "server/materials.h"
+#include "server/memory_budget.h"
 
 namespace grpc {
 class CallbackServerContext;
@@ -32,6 +33,7 @@ struct Backend {
   std::size_t max_message_bytes;
   std::size_t max_queued_jobs;
   spdlog::logger& logger;
+  MemoryBudget& memory;
 };
 
 // Whether a call's result is still wanted. Thread safety: any thread.
@@ -48,12 +50,13 @@ class CallState {
 };
 
 // Computes small batches at once and queues the others; `done(completed)` is called exactly once,
-// here or by a compute thread, unless the queue is full: then the error says so and `done` is not
-// called. The call is asked before each tile whether it is over; `state` must live until `done`.
+// here or by a compute thread, unless the queue or the memory is full: then the error says so and
+// `done` is not called. The evaluation's memory is charged for as long as its charge is kept. The
+// call is asked before each tile whether it is over; `state` must live until `done`.
 Outcome compute(const Backend& backend, const std::shared_ptr<Evaluation>& evaluation,
                 const CallState& state, std::function<void(bool completed)> done);
 
-// How long a client that found the queue full should wait: some jobs are done by then.
+// How long a client that was refused for this should wait: some jobs are done by then.
 inline constexpr const char* kPushbackMilliseconds = "20";
 
 // One line a call, at level debug.

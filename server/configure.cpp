@@ -11,6 +11,10 @@ void configure(grpc::ServerBuilder& builder, const ServerOptions& options) {
   const int max_bytes = static_cast<int>(options.max_message_bytes);
   builder.SetMaxReceiveMessageSize(max_bytes).SetMaxSendMessageSize(max_bytes);
   builder.SetResourceQuota(grpc::ResourceQuota("gonio").Resize(options.memory_quota_bytes));
+  // gRPC inflates a message before it looks at its size: half a megabyte may become half a
+  // gigabyte.
+  builder.SetCompressionAlgorithmSupportStatus(GRPC_COMPRESS_GZIP, false);
+  builder.SetCompressionAlgorithmSupportStatus(GRPC_COMPRESS_DEFLATE, false);
   // Two servers on one port would share its calls at random.
   builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
   // Clients look twice a minute whether this machine is still there; gRPC takes that for an attack

@@ -12,6 +12,7 @@
 #include "engine/evaluate.h"
 #include "engine/material.h"
 #include "server/direction_source.h"
+#include "server/memory_budget.h"
 #include "wire/codec.h"
 
 namespace gonio {
@@ -40,6 +41,9 @@ class Evaluation {
   void run_tile(std::size_t tile);
   void run_all();
   wire::ResponseParts take_answer();
+  // What bytes() has been charged to; whoever takes the answer takes it too, until that is sent.
+  void keep(MemoryBudget::Charge charge) { charge_ = std::move(charge); }
+  MemoryBudget::Charge take_charge() { return std::move(charge_); }
   [[nodiscard]] double kernel_seconds() const;
 
  private:
@@ -59,6 +63,7 @@ class Evaluation {
   std::size_t pairs_ = 0;
   std::size_t request_bytes_ = 0;
   grpc::Slice values_, flags_;
+  MemoryBudget::Charge charge_;
   void* value_data_ = nullptr;
   std::uint8_t* flag_data_ = nullptr;
   std::atomic<std::uint8_t> any_flags_{0};

@@ -38,16 +38,19 @@ void describe(CLI::App& app, Arguments& arguments) {
                  "Serve every material .json and MERL .binary of this folder under its name")
       ->type_name("DIR");
   app.add_option("-t,--threads", server.threads, "Compute threads; 0: one per processor")
+      ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   app.add_option("--max-queue", server.max_queued_jobs,
                  "Batches queued or computed at a time; more are refused")
+      ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
   app.add_option("--max-message-mb", arguments.max_message_mb,
                  "Largest message received or sent, in MiB")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_option("--memory-quota-mb", arguments.memory_quota_mb,
-                 "What gRPC may hold in buffers, in MiB")
+                 "What requests and answers may hold, and gRPC's buffers beside them, in MiB each; "
+                 "at least --max-message-mb")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
   app.add_option(
@@ -65,6 +68,14 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.add_option("--log-format", arguments.log_format, "text, or json: one object a line")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
+}
+
+// What no option can be checked for by itself.
+void check(const Arguments& arguments) {
+  if (arguments.memory_quota_mb >= arguments.max_message_mb) return;
+  throw CLI::ValidationError("--memory-quota-mb", std::to_string(arguments.memory_quota_mb) +
+                                                      " is less than --max-message-mb, " +
+                                                      std::to_string(arguments.max_message_mb));
 }
 
 milliseconds to_milliseconds(double seconds) {
@@ -92,7 +103,11 @@ int serve(Arguments& arguments, const sigset_t& signals) {
   gonio::capture_library_logs(*arguments.server.logger);
   auto server = gonio::Server::start(arguments.server);
   if (!server) {
-    arguments.server.logger->error("{}", server.error().message);
+    auto& logger = *arguments.server.logger;
+    logger.error("{}", server.error().message);
+    // Whoever wants no log still has to learn why there is no server.
+    if (!logger.should_log(spdlog::level::err))
+      std::fprintf(stderr, "goniod: error: %s\n", server.error().message.c_str());
     return kFailed;
   }
   int signal = 0;
@@ -112,6 +127,7 @@ int main(int argc, char** argv) try {
   describe(app, arguments);
   try {
     app.parse(argc, argv);
+    check(arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : kWrongUsage;
   }

@@ -10,6 +10,7 @@
 #include "measured/table.h"
 #include "server/near_names.h"
 #include "wire/convert.h"
+#include "wire/material_size.h"
 
 namespace gonio {
 namespace {
@@ -38,10 +39,11 @@ Result<std::string> read_text(const fs::path& file) {
 // material file need not be one who may read every file of the machine.
 FindFile files_within(const fs::path& folder) {
   return [folder](const std::string& file) -> Result<fs::path> {
-    const fs::path root = fs::weakly_canonical(folder);
-    const fs::path path = fs::weakly_canonical(root / file);
+    std::error_code no_root, no_path;
+    const fs::path root = fs::weakly_canonical(folder, no_root);
+    const fs::path path = fs::weakly_canonical(root / file, no_path);
     const auto [end, unused] = std::mismatch(root.begin(), root.end(), path.begin(), path.end());
-    if (end == root.end() && path != root) return path;
+    if (!no_root && !no_path && end == root.end() && path != root) return path;
     return bad_value("parameters.file", "\"" + file + "\"", "a file within the materials folder");
   };
 }
@@ -132,6 +134,8 @@ std::vector<std::string> Materials::names() const {
 Result<Material> Materials::resolve(const std::optional<std::string>& bytes) const {
   if (!bytes) return build({});
   if (auto known = cache_->find(*bytes)) return *known;
+  const auto fit = wire::check_material_size(bytes->size());
+  if (!fit) return fit.error();
   v1::Material material;
   if (!material.ParseFromString(*bytes)) {
     return bad_value("material", "not a " + material.GetTypeName(), "the bytes of one");

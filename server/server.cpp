@@ -77,8 +77,10 @@ struct Server::State {
       : options(given),
         logger(logger_or_silence(given)),
         materials(std::move(loaded)),
+        memory(given.memory_quota_bytes),
         pool(threads_of(given), given.max_queued_jobs),
-        service({materials, pool, given.max_message_bytes, given.max_queued_jobs, *logger}) {}
+        service(
+            {materials, pool, given.max_message_bytes, given.max_queued_jobs, *logger, memory}) {}
 
   Outcome listen(const std::vector<Address>& addresses);
   void stop(std::chrono::milliseconds grace);
@@ -86,6 +88,7 @@ struct Server::State {
   ServerOptions options;
   std::shared_ptr<spdlog::logger> logger;
   Materials materials;
+  MemoryBudget memory;
   ThreadPool pool;  // outlived by nothing that uses it: the calls end with `grpc`
   Service service;
   std::unique_ptr<grpc::Server> grpc;
@@ -168,10 +171,12 @@ std::shared_ptr<grpc::Channel> Server::in_process_channel() {
 int Server::port() const { return state_->port; }
 
 void Server::shutdown(std::chrono::milliseconds grace) {
+  bool is_first = false;
   {
     const std::lock_guard lock(state_->mutex);
-    if (std::exchange(state_->stopping, true)) return;
+    is_first = !std::exchange(state_->stopping, true);
   }
+  if (!is_first) return wait();
   state_->stop(grace);
   const std::lock_guard lock(state_->mutex);
   state_->stopped = true;

@@ -32,7 +32,8 @@ struct ServerOptions {
   std::size_t max_queued_jobs = 256;
   // The largest message received or sent.
   std::size_t max_message_bytes = std::size_t{64} << 20;
-  // What gRPC may hold in buffers, all connections together.
+  // What the requests and answers under way may hold, all calls together (one more is refused with
+  // RESOURCE_EXHAUSTED), and what gRPC may hold in buffers beside them.
   std::size_t memory_quota_bytes = std::size_t{1} << 30;
   // Every *.json and *.binary in it is served under its stem; empty for none.
   std::filesystem::path materials = {};
@@ -64,7 +65,8 @@ class Server {
   [[nodiscard]] int port() const;
 
   // Reports NOT_SERVING, serves for the lame duck, then takes no new calls and waits up to `grace`
-  // for those under way before cancelling them. Returns when all is over. Idempotent.
+  // for those under way before cancelling them. Returns when all is over, also
+  // where another call has begun it.
   void shutdown(std::chrono::milliseconds grace);
 
   // Returns when the server has been shut down.

@@ -71,7 +71,9 @@ Result<Material> StreamCall::material_of(const wire::StreamRequest& chunk) {
     return bad_value("slot", std::to_string(chunk.slot), "0 to " + std::to_string(kSlots - 1));
   }
   if (chunk.request && chunk.request->material) {
-    const auto material = backend_.materials.resolve(chunk.request->material);
+    auto material = backend_.materials.resolve(chunk.request->material);
+    // Kept as long as the stream: no more of it than will be sent.
+    if (!material) material = wire::from_detail(wire::to_detail(material.error()));
     return slots_.insert_or_assign(chunk.slot, material).first->second;
   }
   const auto known = slots_.find(chunk.slot);
@@ -90,7 +92,7 @@ Result<std::shared_ptr<Evaluation>> StreamCall::prepare(const wire::StreamReques
 
 void StreamCall::computed(std::uint64_t sequence, Evaluation& evaluation, std::size_t held_bytes,
                           bool completed) {
-  Answer answer{{}, held_bytes};
+  Answer answer{{}, held_bytes, evaluation.take_charge()};
   if (completed) answer.message = wire::encode_stream_response(sequence, evaluation.take_answer());
   {
     const std::lock_guard lock(mutex_);
@@ -98,7 +100,7 @@ void StreamCall::computed(std::uint64_t sequence, Evaluation& evaluation, std::s
     access_.kernel_seconds += evaluation.kernel_seconds();
     if (!completed) die();
   }
-  add(std::move(answer));
+  pump(std::move(answer));
 }
 
 void StreamCall::refuse(std::uint64_t sequence, const Error& error, std::size_t held_bytes) {
@@ -106,15 +108,7 @@ void StreamCall::refuse(std::uint64_t sequence, const Error& error, std::size_t 
     const std::lock_guard lock(mutex_);
     ++access_.failed;
   }
-  add({wire::encode_stream_error(sequence, wire::to_detail(error)), held_bytes});
-}
-
-void StreamCall::add(Answer answer) {
-  {
-    const std::lock_guard lock(mutex_);
-    ready_.push_back(std::move(answer));
-  }
-  pump();
+  pump(Answer{wire::encode_stream_error(sequence, wire::to_detail(error)), held_bytes});
 }
 
 void StreamCall::OnWriteDone(bool ok) {
@@ -140,6 +134,7 @@ void StreamCall::OnCancel() {
 
 // A stream that lost answers must not end as if it were complete.
 void StreamCall::die() {
+  if (finished_) return;
   dead_ = true;
   if (!final_.ok()) return;
   const bool late = state_.past_deadline();
@@ -153,11 +148,15 @@ void StreamCall::drop_answers() {
   ready_.clear();
 }
 
-// Starts whatever can be started: called after every event.
-void StreamCall::pump() {
+// Starts whatever can be started: called after every event, a new answer being one. That is added
+// under the same lock that decides on what follows: a compute thread holds no reference to the
+// call, which may be over and deleted as soon as another thread finds the answer.
+void StreamCall::pump(std::optional<Answer> answer) {
   bool read = false, write = false, finish = false;
+  grpc::Status final;
   {
     const std::lock_guard lock(mutex_);
+    if (answer) ready_.push_back(std::move(*answer));
     if (dead_) {
       drop_answers();
       reads_over_ = true;
@@ -171,12 +170,13 @@ void StreamCall::pump() {
     if (!reading_ && !reads_over_ && has_room) reading_ = read = true;
     finish = !finished_ && reads_over_ && !reading_ && in_flight_ == 0;
     finished_ = finished_ || finish;
+    if (finish) final = final_;
   }
   if (write) StartWrite(&writing_now_.message);
   if (read) StartRead(&incoming_);
   if (!finish) return;
-  access_.write(backend_.logger, final_.ok() ? "OK" : final_.error_message());
-  Finish(final_);  // may delete this
+  access_.write(backend_.logger, final.ok() ? "OK" : final.error_message());
+  Finish(final);  // may delete this
 }
 
 }  // namespace gonio

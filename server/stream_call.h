@@ -14,6 +14,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "server/call.h"
 
@@ -30,6 +31,7 @@ class StreamCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   struct Answer {
     grpc::ByteBuffer message;
     std::size_t held_bytes = 0;  // given back when it is written
+    MemoryBudget::Charge charge = {};
   };
 
   void OnReadDone(bool ok) override;
@@ -44,8 +46,7 @@ class StreamCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   void computed(std::uint64_t sequence, Evaluation& evaluation, std::size_t held_bytes,
                 bool completed);
   void refuse(std::uint64_t sequence, const Error& error, std::size_t held_bytes);
-  void add(Answer answer);
-  void pump();
+  void pump(std::optional<Answer> answer = std::nullopt);
   void die();           // mutex_ is held
   void drop_answers();  // mutex_ is held
 

@@ -49,6 +49,7 @@ void UnaryCall::answer(Evaluation& evaluation, bool completed) {
                 "the call was over before its batch was computed"});
   }
   access_.kernel_seconds = evaluation.kernel_seconds();
+  charge_ = evaluation.take_charge();
   response_ = wire::encode_response(evaluation.take_answer());
   end(grpc::Status::OK);
 }

@@ -30,6 +30,7 @@ class UnaryCall final : public grpc::ServerUnaryReactor {
   grpc::ByteBuffer& response_;
   CallState state_;
   AccessLine access_;
+  MemoryBudget::Charge charge_;  // until the answer is sent
 };
 
 }  // namespace gonio

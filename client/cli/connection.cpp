@@ -38,6 +38,9 @@ Result<Connection> Connection::open(const ConnectionOptions& options) {
   }
   if (!options.server.empty()) {
     auto client = client::Client::connect(options.server, client_options);
+    if (!client && client.error().field == "address") {
+      return bad_value("--server", client.error().value, client.error().allowed);
+    }
     if (!client) return std::move(client).error();
     return Connection{nullptr, std::move(client).value()};
   }

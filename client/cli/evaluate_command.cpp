@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
@@ -71,7 +73,9 @@ template <class T>
 Result<client::Report> evaluate(const client::Client& client, const client::Material& material,
                                 const EvaluateArguments& arguments, const Input<T>& input,
                                 ResultWriter<T>& writer) {
-  Progress progress(!arguments.quiet);
+  // Not among the results of the same terminal.
+  const bool on_terminal = arguments.output == "-" && ::isatty(STDOUT_FILENO) != 0;
+  Progress progress(!arguments.quiet && !on_terminal);
   const client::ChunkSink<T, T> sink = [&](const client::Chunk<T, T>& chunk) {
     const std::uint64_t done = chunk.first + chunk.pairs;
     progress.update(done, input.progress(done));

@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
+#include "engine/registry.h"
 #include "wire/convert.h"
 
 namespace gonio::cli {
@@ -27,6 +29,13 @@ Error only_embedded(const std::string& file) {
       "the file into goniod's --materials folder and give its name");
 }
 
+// The path itself where there is no current folder to start from.
+std::string absolute_path(const fs::path& path) {
+  std::error_code failure;
+  const fs::path found = fs::absolute(path, failure);
+  return failure ? path.string() : found.string();
+}
+
 // A measured material's file lies beside the JSON that names it, as in goniod's --materials folder.
 Result<Material> material_beside(const std::string& json, const fs::path& folder, bool embedded,
                                  const std::string& origin) {
@@ -34,10 +43,11 @@ Result<Material> material_beside(const std::string& json, const fs::path& folder
   if (!message) return error_in(origin, message.error().message);
   auto& fields = *message->mutable_parameters()->mutable_fields();
   const auto file = fields.find("file");
-  if (message->model() == "measured" && file != fields.end()) {
+  // What is no name is left as it is, for the server to say what is wrong with it.
+  if (message->model() == "measured" && file != fields.end() && file->second.has_string_value()) {
     const std::string name = file->second.string_value();
     if (!embedded) return only_embedded(name);
-    file->second.set_string_value(fs::absolute(folder / name).string());
+    if (!name.empty()) file->second.set_string_value(absolute_path(folder / name));
   }
   if (fields.empty()) message->clear_parameters();
   std::string resolved;
@@ -48,7 +58,7 @@ Result<Material> material_beside(const std::string& json, const fs::path& folder
 
 Result<Material> measured(const std::string& file, bool embedded) {
   if (!embedded) return only_embedded(file);
-  return Material::model("measured", {{"file", fs::absolute(file).string()}});
+  return Material::model("measured", {{"file", absolute_path(file)}});
 }
 
 Result<Material> read_file(const std::string& file, bool embedded) {
@@ -70,6 +80,16 @@ Result<Material> read_file(const std::string& file, bool embedded) {
   return material_beside(json, fs::path(file).parent_path(), embedded, file);
 }
 
+// Without a server nothing is stored; a model's name is not yet a material.
+Error nothing_stored(const std::string& name) {
+  std::string allowed =
+      "without --server: inline JSON such as '{\"model\": \"ggx\"}', or FILE.json";
+  if (find_model(name)) allowed = "for this model: '{\"model\": \"" + name + "\"}'";
+  Error error = bad_value("--material", "\"" + name + "\"", allowed, ErrorCode::not_found);
+  error.message = "no material \"" + name + "\" is stored; allowed " + allowed;
+  return error;
+}
+
 }  // namespace
 
 Result<Material> read_material(const std::string& argument, bool embedded) {
@@ -82,7 +102,9 @@ Result<Material> read_material(const std::string& argument, bool embedded) {
   const std::string extension = fs::path(argument).extension();
   const bool file =
       extension == ".json" || extension == ".binary" || argument.find('/') != std::string::npos;
-  return file ? read_file(argument, embedded) : Material::named(argument);
+  if (file) return read_file(argument, embedded);
+  if (embedded) return nothing_stored(argument);
+  return Material::named(argument);
 }
 
 }  // namespace gonio::cli

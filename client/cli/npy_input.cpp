@@ -12,6 +12,9 @@ namespace {
 
 constexpr const char* kAllowed =
     "an array of float32 or float64 ('<f4' or '<f8'), shape (N, 6), C order";
+// A usual one has about a hundred bytes. std::regex recurses for every character: tens of
+// thousands of them are more than a stack holds.
+constexpr std::size_t kLongestHeader = 4096;
 constexpr std::size_t kColumns = 6;  // wi_x, wi_y, wi_z, wo_x, wo_y, wo_z
 
 struct Header {
@@ -39,11 +42,14 @@ Result<std::string> read_header_text(ByteSource& source) {
   if (!got) return got.error();
   std::size_t length = 0;
   for (std::size_t i = length_bytes; i-- > 0;) length = length << 8 | start[8 + i];
-  constexpr std::size_t kLongestHeader = 65536;
-  std::string text(std::min(length, kLongestHeader), '\0');
+  if (length > kLongestHeader) {
+    return bad_value(source.name() + ": the length of its NPY header", std::to_string(length),
+                     "at most " + std::to_string(kLongestHeader) + " bytes");
+  }
+  std::string text(length, '\0');
   got = source.read(text.data(), text.size());
   if (!got) return got.error();
-  if (*got < text.size() || length > kLongestHeader || length == 0) {
+  if (*got < text.size() || length == 0) {
     return npy_error(source.name(), "ends within its header, or is no NPY file", "truncated");
   }
   return text;

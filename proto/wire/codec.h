@@ -58,7 +58,8 @@ struct StreamResponse {
   std::variant<Response, gonio::v1::ErrorDetail> result;
 };
 
-// Errors: invalid_argument for bytes that are not such a message.
+// Errors: invalid_argument for bytes that are not such a message, or whose material would have to
+// be parsed here and is larger than kMaxMaterialBytes.
 Result<Request> decode_request(const grpc::ByteBuffer& buffer);
 Result<StreamRequest> decode_stream_request(const grpc::ByteBuffer& buffer);
 Result<Response> decode_response(const grpc::ByteBuffer& buffer);

@@ -1,8 +1,10 @@
 #include <bit>
+#include <type_traits>
 #include <utility>
 
 #include "wire/codec.h"
 #include "wire/fields.h"
+#include "wire/material_size.h"
 
 namespace gonio::wire {
 namespace {
@@ -108,6 +110,10 @@ template <class Message, class Decoded>
 Result<Decoded> decode(const SliceBytes& bytes, Range range) {
   Decoded decoded;
   if (scan(bytes, range, decoded)) return decoded;
+  if constexpr (!std::is_same_v<Decoded, Response> && !std::is_same_v<Decoded, StreamResponse>) {
+    const auto fit = check_material<Decoded>(bytes, range);
+    if (!fit) return fit.error();
+  }
   Message message;
   if (!message.ParseFromString(bytes.text(range.begin, range.size())))
     return malformed(message.GetTypeName());

@@ -135,6 +135,12 @@ TEST_F(WithServer, MeasuredFilesAreForTheEmbeddedOneAlone) {
   EXPECT_THAT(embedded.err, HasSubstr("short.binary"));
 }
 
+TEST(Tool, AnAddressWithoutAPortIsAWrongArgument) {
+  const auto result = shell("gonio models --server localhost");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("--server is \"localhost\""), HasSubstr("host:port")));
+}
+
 TEST(Unreachable, ExitsWithThreeAndNamesTheAddress) {
   for (const char* command : {"gonio models", "gonio evaluate --material grey --grid theta_i=0"}) {
     const auto result = shell(std::string(command) + " --server 127.0.0.1:1");

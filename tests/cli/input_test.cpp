@@ -155,6 +155,9 @@ TEST(NpyInput, Errors) {
   }
   EXPECT_THAT(error(npy("<f4", "False", "(1, 6)", row).substr(0, 50)),
               HasSubstr("ends within its header"));
+  const std::string spaces = "{'descr':" + std::string(65526, ' ');
+  EXPECT_THAT(error("\x93NUMPY" + std::string("\x01\x00\xff\xff", 4) + spaces),
+              AllOf(HasSubstr("65535"), HasSubstr("at most 4096 bytes")));
   EXPECT_THAT(error("\x93NUMPY"), HasSubstr("header"));
   EXPECT_THAT(error("\x93NUMPY\x07__________________"), HasSubstr("version 7"));
 }
@@ -212,9 +215,14 @@ TEST(MaterialInput, FilesAndErrors) {
            {"nowhere.json", "no such file: nowhere.json"},
            {"./nowhere", "no such file: ./nowhere"},
            {"/", "is a folder"},
-           {"nobody", "nobody"},
+           {"nobody", "no material \"nobody\" is stored; allowed without --server: inline JSON"},
+           {"ggx", R"('{"model": "ggx"}')"},
            {"", "empty"},
            {R"({"modell": "ggx"})", "modell"},
+           {R"({"model": "measured", "parameters": {"file": 3}})",
+            "material.parameters.file is a number"},
+           {R"({"model": "measured", "parameters": {"file": ""}})",
+            "material.parameters.file is not given"},
            {R"({"model": "gggx"})", "gggx"},
            {R"({"model": "ggx", "parameters": {"alpha_x": 7}})",
             "material.parameters.alpha_x is 7"},

@@ -21,6 +21,7 @@ using client::Client;
 using client::ClientOptions;
 using client::Material;
 using std::chrono::milliseconds;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 class ErrorTest : public ServerFixture {};
@@ -48,7 +49,15 @@ TEST_F(ErrorTest, WrongLengths) {
 }
 
 TEST_F(ErrorTest, WrongOptions) {
-  EXPECT_FALSE(Client::connect("").ok());
+  for (const char* address : {"", "localhost", "localhost:", ":80", "localhost:0", "host:65536",
+                              "::1:80", "http://host:80", "host:80/x", "unix:", "[]:80"}) {
+    const auto client = Client::connect(address);
+    ASSERT_FALSE(client.ok()) << address;
+    EXPECT_THAT(client.error().message, AllOf(HasSubstr(address), HasSubstr("host:port")));
+  }
+  for (const char* address : {"localhost:80", "[::1]:80", "unix:/x", "unix:x"}) {
+    EXPECT_TRUE(Client::connect(address).ok()) << address;
+  }
   for (auto change :
        {+[](ClientOptions& o) { o.chunk_pairs = 0; }, +[](ClientOptions& o) { o.in_flight = 0; },
         +[](ClientOptions& o) { o.max_retries = -1; },

@@ -95,8 +95,8 @@ TEST_F(Retry, ExhaustedIsRepeatedOnlyWhenTheServerSaysWhen) {
   EXPECT_GE(std::chrono::steady_clock::now() - start, milliseconds(30));
 }
 
-TEST_F(Retry, NegativeOrUnreadablePushbackMeansNever) {
-  for (const char* pushback : {"-1", "soon"}) {
+TEST_F(Retry, NegativeUnreadableOrEndlessPushbackMeansNever) {
+  for (const char* pushback : {"-1", "soon", "60001", "1000000000000000", "99999999999999999999"}) {
     service().unary_failures = 1;
     service().pushback = pushback;
     service().unary_calls = 0;
@@ -142,14 +142,25 @@ TEST_F(Retry, AnswersMayComeInAnyOrder) {
   ASSERT_TRUE(report.ok()) << report.error().message;
 }
 
-TEST_F(Retry, RefusedChunkIsSentAgainOnTheSameStream) {
-  service().chunk_failures = 2;
+TEST_F(Retry, RefusedChunksAreSentAgainOnTheSameStreamAfterOnePause) {
+  service().chunk_failures = 4;
   service().chunk_error.set_code(grpc::StatusCode::RESOURCE_EXHAUSTED);
   service().chunk_error.set_message("the queue is full");
-  auto report = evaluate(1050);
+  auto options = quick();
+  options.in_flight = 4;
+  options.max_retries = 1;
+  auto report = evaluate(1050, options);
   ASSERT_TRUE(report.ok()) << report.error().message;
-  EXPECT_EQ(report->retries, 2);
+  EXPECT_EQ(report->retries, 1);
   EXPECT_EQ(service().streams, 1);
+  EXPECT_EQ(service().chunks, 4 + 11);
+
+  service().chunk_failures = 1000;
+  service().chunks = 0;
+  report = evaluate(1050, options);
+  ASSERT_FALSE(report.ok());
+  EXPECT_EQ(report.error().message, "the queue is full");
+  EXPECT_EQ(service().chunks, 4 + 4);
 }
 
 TEST_F(Retry, BadChunkIsAnErrorWithItsDetails) {

@@ -16,11 +16,12 @@ namespace gonio::testing {
 
 class BusyService {
  public:
-  // `places`: how many jobs the queue takes, the blocking one included.
-  explicit BusyService(std::size_t places)
-      : pool_(1, places),
+  // `places`: how many jobs the queue takes, the blocking one included; `memory`: bytes.
+  explicit BusyService(std::size_t places, std::size_t memory = std::size_t{1} << 30)
+      : memory_(memory),
+        pool_(1, places),
         logger_("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(log_)),
-        service_({materials_, pool_, std::size_t{64} << 20, places, logger_}) {
+        service_({materials_, pool_, std::size_t{64} << 20, places, logger_, memory_}) {
     logger_.set_level(spdlog::level::debug);
     EXPECT_TRUE(pool_.submit({1,
                               [this](std::size_t) {
@@ -47,6 +48,7 @@ class BusyService {
   void stop_server() { server_->Shutdown(); }
   [[nodiscard]] std::string log() const { return log_.str(); }
   ThreadPool& pool() { return pool_; }
+  MemoryBudget& memory() { return memory_; }
 
   std::unique_ptr<v1::GonioService::Stub> stub;
 
@@ -55,6 +57,7 @@ class BusyService {
   bool is_free_ = false;
   std::ostringstream log_;
   Materials materials_;
+  MemoryBudget memory_;
   ThreadPool pool_;
   spdlog::logger logger_;
   Service service_;

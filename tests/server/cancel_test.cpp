@@ -30,7 +30,8 @@ struct Computing {
   // Runs the batch; whether it was completed.
   std::future<bool> start(const std::shared_ptr<Evaluation>& evaluation, const CallState& state) {
     auto done = std::make_shared<std::promise<bool>>();
-    const Backend backend{materials, pool, 1 << 20, 8, logger};
+    static MemoryBudget memory(1 << 30);  // outlives the evaluations of all tests
+    const Backend backend{materials, pool, 1 << 20, 8, logger, memory};
     EXPECT_TRUE(compute(backend, evaluation, state, [done](bool completed) {
                   done->set_value(completed);
                 }).ok());

@@ -107,9 +107,14 @@ TEST(Goniod, APortInUseIsAClearErrorAndANonZeroExit) {
 
 TEST(Goniod, BadArgumentsAreClearErrors) {
   const std::pair<std::vector<std::string>, const char*> cases[] = {
-      {{"--no-such-option"}, "--no-such-option"},      {{"--threads", "many"}, "--threads"},
-      {{"--max-message-mb", "0"}, "--max-message-mb"}, {{"--log-format", "xml"}, "--log-format"},
+      {{"--no-such-option"}, "--no-such-option"},
+      {{"--threads", "many"}, "--threads"},
+      {{"--max-message-mb", "0"}, "--max-message-mb"},
+      {{"--log-format", "xml"}, "--log-format"},
       {{"--log-level", "loud"}, "--log-level"},
+      {{"--threads", "-3"}, "--threads"},
+      {{"--max-queue", "0"}, "--max-queue"},
+      {{"--memory-quota-mb", "8"}, "--memory-quota-mb"},
   };
   for (const auto& [arguments, what] : cases) {
     const auto [code, output] = run(arguments);
@@ -125,7 +130,7 @@ TEST(Goniod, WhatCannotBeServedIsAClearError) {
       {{"--listen", "nonsense"}, "nonsense"},
       {{"--listen", "127.0.0.1:0", "--materials", "/no/such"}, "/no/such"},
       {{"--listen", "127.0.0.1:0", "--materials", (folder / "").string()}, "bad.json"},
-      {{"--listen", "127.0.0.1:0", "--threads", "-3"}, "threads is -3"},
+      {{"--listen", "nonsense", "--log-level", "off"}, "nonsense"},
   };
   for (const auto& [arguments, what] : cases) {
     const auto [code, output] = run(arguments);

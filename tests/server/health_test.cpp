@@ -114,6 +114,18 @@ TEST(Shutdown, AnIdleStreamDoesNotOutliveTheGrace) {
   EXPECT_FALSE(call->Finish().ok());
 }
 
+TEST(Shutdown, TheSecondWaitsForTheFirst) {
+  ServerOptions options;
+  options.lame_duck = 300ms;
+  TestServer server(options);
+  const auto start = std::chrono::steady_clock::now();
+  std::thread first([&] { server.server->shutdown(0ms); });
+  std::this_thread::sleep_for(20ms);
+  server.server->shutdown(0ms);
+  EXPECT_GE(std::chrono::steady_clock::now() - start, 300ms);
+  first.join();
+}
+
 TEST(Shutdown, TwiceIsOnce) {
   TestServer server;
   server.server->shutdown(0ms);

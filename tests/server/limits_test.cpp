@@ -84,6 +84,43 @@ TEST(Limits, AMaterialOfManyChannelsMultipliesTheAnswer) {
   EXPECT_THAT(error.allowed, HasSubstr("64 channels"));
 }
 
+v1::EvaluateRequest lobes_request(int lobes) {
+  v1::EvaluateRequest request = request_for(random_pairs(1), 0, 1);
+  for (int i = 0; i < lobes; ++i) request.mutable_material()->add_specular();
+  return request;
+}
+
+TEST(Limits, AMaterialOfTooManyBytesIsRefused) {
+  TestServer server;
+  const Error error = server.refused(lobes_request(200'000));
+  EXPECT_EQ(error.code, ErrorCode::invalid_argument);
+  EXPECT_EQ(error.field, "material");
+  EXPECT_EQ(error.value, "400000 bytes");
+  EXPECT_THAT(error.allowed, HasSubstr("262144"));
+  EXPECT_EQ(server.refused(lobes_request(100'000)).field, "material.specular");
+}
+
+// A group is legal protobuf of which only the generated parser knows the end.
+TEST(Limits, NoUnusualEncodingGetsALargeMaterialParsed) {
+  TestServer server;
+  const std::string group = "\xfb\x07\xfc\x07", unknown = "\xf8\x07\x01";
+  const std::string request = lobes_request(200'000).SerializeAsString();
+  v1::EvaluateStreamRequest chunk;
+  *chunk.mutable_evaluate() = lobes_request(100'000);
+  const std::string twice = chunk.SerializeAsString() + chunk.SerializeAsString();
+  for (const auto& [method, bytes] :
+       std::vector<std::pair<std::string, std::string>>{{"Evaluate", group + request},
+                                                        {"Evaluate", request + unknown},
+                                                        {"EvaluateStream", twice}}) {
+    const grpc::Slice slice(bytes);
+    const auto [status, response] =
+        raw_call(server.server->in_process_channel(), "/gonio.v1.GonioService/" + method,
+                 grpc::ByteBuffer(&slice, 1));
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+    EXPECT_EQ(wire::from_status(status).field, "material") << status.error_message();
+  }
+}
+
 // One slice many times over, so that the test needs no gigabyte of its own.
 grpc::ByteBuffer gigabyte_request() {
   const grpc::Slice block(std::size_t{16} << 20);
@@ -103,6 +140,25 @@ TEST(Limits, AGigabyteIsRefusedAndTheServerLives) {
   const auto [status, response] =
       raw_call(channel, "/gonio.v1.GonioService/Evaluate", gigabyte_request());
   EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(server.evaluated(ggx_request(random_pairs(5))).values_size(), 15);
+}
+
+TEST(Limits, ACompressedRequestIsRefusedAndTheServerLives) {
+  ServerOptions options;
+  options.addresses = {"127.0.0.1:0"};
+  TestServer server(options);
+  const auto stub = v1::GonioService::NewStub(grpc::CreateChannel(
+      "127.0.0.1:" + std::to_string(server.server->port()), grpc::InsecureChannelCredentials()));
+  v1::EvaluateRequest request = ggx_request(random_pairs(5));
+  request.mutable_pairs()->mutable_wi()->Resize(3'000'000, 0);
+  for (const auto algorithm : {GRPC_COMPRESS_GZIP, GRPC_COMPRESS_DEFLATE}) {
+    grpc::ClientContext context;
+    context.set_compression_algorithm(algorithm);
+    v1::EvaluateResponse response;
+    const grpc::Status status = stub->Evaluate(&context, request, &response);
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::UNIMPLEMENTED) << status.error_message();
+    EXPECT_THAT(status.error_message(), HasSubstr("ompression"));
+  }
   EXPECT_EQ(server.evaluated(ggx_request(random_pairs(5))).values_size(), 15);
 }
 

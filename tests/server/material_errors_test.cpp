@@ -98,16 +98,16 @@ TEST(MaterialErrors, NoMaterialAtAll) {
   EXPECT_EQ(error.field, "material");
 }
 
-TEST(MaterialErrors, AMegabyteNameStillGetsAnAnswer) {
+TEST(MaterialErrors, AVeryLongNameStillGetsAnAnswer) {
   TestServer server;
   v1::EvaluateRequest request = request_for(random_pairs(1), 0, 1);
-  request.mutable_material()->set_model(std::string(1 << 20, 'x'));
+  request.mutable_material()->set_model(std::string(200'000, 'x'));
   EXPECT_EQ(server.refused(request).code, ErrorCode::not_found);
-  request.mutable_material()->set_name(std::string(1 << 20, '"'));
+  request.mutable_material()->set_name(std::string(200'000, '"'));
   request.mutable_material()->clear_model();
   EXPECT_EQ(server.refused(request).code, ErrorCode::not_found);
   v1::EvaluateRequest parameters = ggx_request(random_pairs(1));
-  (*parameters.mutable_material()->mutable_parameters()->mutable_fields())[std::string(1 << 20,
+  (*parameters.mutable_material()->mutable_parameters()->mutable_fields())[std::string(200'000,
                                                                                        '\n')];
   EXPECT_EQ(server.refused(parameters).code, ErrorCode::invalid_argument);
 }

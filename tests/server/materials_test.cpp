@@ -147,6 +147,13 @@ TEST(Materials, BadFilesStopTheStartAndAreNamed) {
   }
 }
 
+TEST(Materials, AFileNameThatNoFileCanHaveIsAClearError) {
+  const TempFolder folder;
+  write(folder / "bad.json",
+        R"({"model": "measured", "parameters": {"file": ")" + std::string(300, 'x') + R"("}})");
+  EXPECT_THAT(refusal(folder), AllOf(HasSubstr("bad.json"), HasSubstr("xxx")));
+}
+
 TEST(Materials, ASymlinkDoesNotLeadOut) {
   const TempFolder outside, folder;
   ASSERT_TRUE(write_merl(outside / "secret.binary", glossy_example));

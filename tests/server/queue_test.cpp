@@ -43,6 +43,30 @@ TEST(Queue, AStreamsChunkIsRefusedAloneAndMayBeSentAgain) {
   EXPECT_TRUE(again.answers.at(0).has_evaluate());
 }
 
+TEST(Queue, FullMemoryRefusesWithAPushbackUntilAnAnswerIsSent) {
+  // The first is alone and fits; its request and answer are larger than this.
+  BusyService service(3, 100'000);
+  const auto request = ggx_request(random_pairs(5000));
+  std::thread first([&] {
+    grpc::ClientContext context;
+    v1::EvaluateResponse response;
+    EXPECT_TRUE(service.stub->Evaluate(&context, request, &response).ok());
+  });
+  while (service.pool().jobs() < 2) std::this_thread::yield();
+  grpc::ClientContext refused;
+  v1::EvaluateResponse response;
+  const grpc::Status status = service.stub->Evaluate(&refused, request, &response);
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_THAT(status.error_message(), HasSubstr("of 100000 bytes"));
+  EXPECT_EQ(refused.GetServerTrailingMetadata().count(wire::kRetryPushback), 1U);
+  service.free();
+  first.join();
+  while (service.memory().held() > 0) std::this_thread::yield();
+  const auto again = stream(*service.stub, chunked(random_pairs(5000), 5000));
+  EXPECT_TRUE(again.answers.at(0).has_evaluate());
+  while (service.memory().held() > 0) std::this_thread::yield();
+}
+
 TEST(Queue, QueuedJobsAreDoneWhenTheirTurnComes) {
   BusyService service(3);
   const PairArrays pairs = random_pairs(5000);

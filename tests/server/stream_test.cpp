@@ -137,18 +137,27 @@ TEST(Stream, TwoAtOnceOneWithBadPairsGetWhatEachGetsAlone) {
 }
 
 TEST(Stream, ASlowReaderHoldsTheServerBack) {
-  // 64 answers of 768 KiB; the client reads nothing until it has written everything or cannot write
-  // on.
-  TestServer server;
+  // 128 answers of 768 KiB; the client reads nothing until it cannot write on.
+  ServerOptions options;
+  options.addresses = {"127.0.0.1:0"};
+  TestServer server(options);
+  const auto stub = v1::GonioService::NewStub(grpc::CreateChannel(
+      "127.0.0.1:" + std::to_string(server.server->port()), grpc::InsecureChannelCredentials()));
   const PairArrays pairs = random_pairs(65'536);
   grpc::ClientContext context;
-  const auto call = server.stub->EvaluateStream(&context);
+  const auto call = stub->EvaluateStream(&context);
   std::atomic<int> written{0};
   std::thread writer([&] {
-    for (std::uint64_t i = 0; i < 64 && call->Write(with_ggx(chunk(i, 0, pairs), 0.2)); ++i)
+    for (std::uint64_t i = 0; i < 128 && call->Write(with_ggx(chunk(i, 0, pairs), 0.2)); ++i)
       ++written;
     call->WritesDone();
   });
+  int stood_at = -1;
+  while (written == 0 || written != stood_at) {
+    stood_at = written;
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  }
+  EXPECT_LT(stood_at, 64);
   int answers = 0;
   for (v1::EvaluateStreamResponse answer; call->Read(&answer);) {
     ++answers;
@@ -156,8 +165,8 @@ TEST(Stream, ASlowReaderHoldsTheServerBack) {
   }
   writer.join();
   EXPECT_TRUE(call->Finish().ok());
-  EXPECT_EQ(answers, 64);
-  EXPECT_EQ(written, 64);
+  EXPECT_EQ(answers, 128);
+  EXPECT_EQ(written, 128);
 }
 
 }  // namespace

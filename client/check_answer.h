@@ -1,0 +1,23 @@
+// Whether an answer is one to the chunk that was sent. Internal to the client library.
+//
+// Lengths are checked here once, so that the receivers can rely on them. Thread safety: functions
+// without state.
+#pragma once
+
+#include <string>
+
+#include "base/result.h"
+#include "client/chunks.h"
+#include "client/rpc.h"
+#include "wire/codec.h"
+
+namespace gonio::client {
+
+// The error of a server that does not keep to the protocol.
+Error malformed(const Peer& peer, const std::string& what);
+
+// `report`: of the answers before this one.
+Outcome check_lengths(const Peer& peer, const OutgoingChunk& chunk, const wire::Response& answer,
+                      const Report& report);
+
+}  // namespace gonio::client

@@ -1,0 +1,25 @@
+// How large a request's material may be.
+//
+// Nothing else in a request takes so much more memory once it is parsed: up to 70 times its bytes.
+// Thread safety: functions without state.
+#pragma once
+
+#include <cstddef>
+
+#include "base/result.h"
+#include "wire/codec.h"
+#include "wire/fields.h"
+
+namespace gonio::wire {
+
+// Of the serialised gonio.v1.Material; the largest that makes sense has a few kilobytes.
+inline constexpr std::size_t kMaxMaterialBytes = std::size_t{256} << 10;
+
+Outcome check_material_size(std::size_t bytes);
+
+// The same for all the material that the generated parser would find in a message that is not in
+// the canonical form. `Decoded` is Request or StreamRequest.
+template <class Decoded>
+Outcome check_material(const SliceBytes& bytes, Range range);
+
+}  // namespace gonio::wire
