@@ -41,8 +41,9 @@ class WireServer {
   ThreadPool pool_{std::max(1, static_cast<int>(std::thread::hardware_concurrency())),
                    options_.max_queued_jobs};
   spdlog::logger logger_{"bench", std::make_shared<spdlog::sinks::null_sink_mt>()};
+  MemoryBudget memory_{options_.memory_quota_bytes};
   Service service_{
-      {materials_, pool_, options_.max_message_bytes, options_.max_queued_jobs, logger_}};
+      {materials_, pool_, options_.max_message_bytes, options_.max_queued_jobs, logger_, memory_}};
   EchoService echo_;
   std::unique_ptr<grpc::Server> server_;
 };
