@@ -9,7 +9,7 @@
 namespace gonio::cli {
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string json_string(std::string_view text) {
   google::protobuf::StringValue value;
   value.set_value(std::string(text));
   std::string json;
@@ -19,12 +19,12 @@ std::string quoted(std::string_view text) {
 std::string report_json(const client::Report& report) {
   std::string json = "{\"pairs\": " + std::to_string(report.pairs);
   json += ", \"kernel_seconds\": " + shortest(report.kernel_seconds);
-  json += ", \"instruction_set\": " + quoted(name_of(report.instruction_set));
-  json += ", \"precision\": " + quoted(name_of(report.precision));
+  json += ", \"instruction_set\": " + json_string(name_of(report.instruction_set));
+  json += ", \"precision\": " + json_string(name_of(report.precision));
   json += ", \"error_bound\": {\"relative\": " + shortest(report.error_bound.relative) +
           ", \"above\": " + shortest(report.error_bound.above) +
           ", \"cosine\": " + shortest(report.error_bound.cosine) +
-          ", \"note\": " + quoted(report.error_bound.note) + "}";
+          ", \"note\": " + json_string(report.error_bound.note) + "}";
   json += ", \"flagged\": " + std::to_string(report.flagged);
   return json + ", \"retries\": " + std::to_string(report.retries) + "}";
 }

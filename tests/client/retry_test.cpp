@@ -198,7 +198,7 @@ TEST_F(Retry, DeadlineInTheMiddleOfAStream) {
   options.deadline = milliseconds(250);
   auto report = evaluate(100000, options);
   ASSERT_FALSE(report.ok());
-  EXPECT_EQ(report.error().code, ErrorCode::deadline_exceeded);
+  EXPECT_EQ(report.error().code, ErrorCode::deadline_exceeded) << report.error().message;
   EXPECT_THAT(report.error().message, HasSubstr(server_.address()));
 }
 
