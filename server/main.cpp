@@ -26,10 +26,8 @@ struct Arguments {
   std::string log_format = "text";
 };
 
-void describe(CLI::App& app, Arguments& arguments) {
-  gonio::ServerOptions& server = arguments.server;
+void describe_service(CLI::App& app, gonio::ServerOptions& server) {
   server.addresses = {"127.0.0.1:50051"};
-  app.set_version_flag("--version", std::string("goniod ") + gonio::kVersion);
   app.add_option(
          "-l,--listen", server.addresses,
          "Where to listen: host:port (0 takes a free port) or unix:/path; several are allowed")
@@ -44,6 +42,9 @@ void describe(CLI::App& app, Arguments& arguments) {
                  "Batches queued or computed at a time; more are refused")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
+}
+
+void describe_limits(CLI::App& app, Arguments& arguments) {
   app.add_option("--max-message-mb", arguments.max_message_mb,
                  "Largest message received or sent, in MiB")
       ->check(CLI::Range(1, 1024))
@@ -62,6 +63,12 @@ void describe(CLI::App& app, Arguments& arguments) {
                  "Seconds that calls under way then have to end")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
+}
+
+void describe(CLI::App& app, Arguments& arguments) {
+  app.set_version_flag("--version", std::string("goniod ") + gonio::kVersion);
+  describe_service(app, arguments.server);
+  describe_limits(app, arguments);
   app.add_option("--log-level", arguments.log_level, "trace, debug, info, warning, error or off")
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
       ->capture_default_str();

@@ -72,12 +72,13 @@ run_tests() {
   [ "$status" -eq 0 ] || [ "$bad" -gt 0 ] || count "$preset: ctest ended with $status" 1
 }
 
-# The folders whose tests have memory and threads to get wrong; each has a target that builds its programs.
+# The folders whose tests have memory and threads to get wrong; each has a target that builds its programs. Sums of millions of
+# values are left out: they say nothing of memory that a thousand values do not, and take minutes under a sanitizer.
 sanitize() {
   local preset=$1
   shift
   build "$preset" "${@/#/tests_}" || return
-  run_tests "$preset" --label-regex "^($(IFS='|'; echo "$*"))\$"
+  run_tests "$preset" --label-regex "^($(IFS='|'; echo "$*"))\$" --exclude-regex '/Properties\.|\.HoldsAgainstTheOracle'
 }
 
 run_step() {
