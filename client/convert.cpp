@@ -32,7 +32,9 @@ ParameterInfo parameter_of(const gonio::v1::Parameter& parameter) {
           parameter.start(),
           parameter.logarithmic(),
           parameter.colour(),
-          {parameter.words().begin(), parameter.words().end()}};
+          {parameter.words().begin(), parameter.words().end()},
+          parameter.used_with(),
+          {parameter.used_with_words().begin(), parameter.used_with_words().end()}};
 }
 
 ModelInfo model_of(const gonio::v1::Model& model) {
@@ -45,6 +47,7 @@ ModelInfo model_of(const gonio::v1::Model& model) {
     info.parameters.push_back(parameter_of(parameter));
   info.fast = error_bound_of(model.fast());
   info.reference = error_bound_of(model.reference());
+  info.albedo_limit = model.albedo_limit();
   return info;
 }
 

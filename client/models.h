@@ -26,8 +26,12 @@ struct ParameterInfo {
   double start = 0;          // taken when the parameter is not given
   bool logarithmic = false;  // vary it on a logarithmic scale
   bool colour = false;       // one number, or one per channel
-  std::vector<std::string>
-      words;  // for a word: those allowed, the default first; bounds do not apply
+  // For a word: those allowed, the default first; bounds do not apply.
+  std::vector<std::string> words;
+  // For a number that has a meaning only with some words of another parameter: which. A word that
+  // is not given is the first one that all the given numbers can be used with.
+  std::string used_with;
+  std::vector<std::string> used_with_words;
 };
 
 struct ModelInfo {
@@ -38,6 +42,7 @@ struct ModelInfo {
   std::vector<ParameterInfo> parameters;
   ErrorBound fast;
   ErrorBound reference;
+  double albedo_limit = 1;  // the largest albedo over all directions, colours and scale at most 1
 };
 
 struct Catalogue {

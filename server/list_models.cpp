@@ -32,6 +32,8 @@ void fill(const Parameter& from, v1::Parameter& to) {
   to.set_logarithmic(from.scale == Scale::logarithmic);
   to.set_colour(from.kind == Kind::colour);
   for (std::string_view word : from.words) to.add_words(std::string(word));
+  to.set_used_with(std::string(from.used_with.parameter));
+  for (std::string_view word : from.used_with.words) to.add_used_with_words(std::string(word));
 }
 
 void fill(const ModelDescription& from, v1::Model& to) {
@@ -40,6 +42,7 @@ void fill(const ModelDescription& from, v1::Model& to) {
   to.set_source(std::string(from.source));
   to.set_role(to_wire(from.role));
   for (const Parameter& parameter : from.parameters) fill(parameter, *to.add_parameters());
+  to.set_albedo_limit(from.albedo_limit);
   *to.mutable_fast() = wire::to_wire(from.fast);
   *to.mutable_reference() = wire::to_wire(from.reference);
 }

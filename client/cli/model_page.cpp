@@ -1,7 +1,6 @@
 #include "client/cli/model_page.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <vector>
 
@@ -85,17 +84,30 @@ std::string value_text(const client::ParameterInfo& parameter) {
   if (parameter.unit == "rad") text += " radians";
   if (parameter.unit != "rad" && parameter.unit != "1") text += " " + parameter.unit;
   text += "; default " + shortest(parameter.start);
+  if (!parameter.used_with.empty()) {
+    text += "; with " + parameter.used_with + " " + joined(parameter.used_with_words, " or ");
+  }
   if (parameter.logarithmic) text += "; best varied on a logarithmic scale";
   return text;
 }
 
-// Every parameter at its default, but for Fresnel's, which exclude each other: with f0 alone it is
-// Schlick's.
+// The word of `parameter.used_with` that an example takes: that of the first number that needs one.
+std::string example_word(const client::ModelInfo& model, const std::string& choice) {
+  for (const client::ParameterInfo& parameter : model.parameters) {
+    if (parameter.used_with == choice) return parameter.used_with_words.front();
+  }
+  return {};
+}
+
+// Every parameter at its default, but for those that exclude each other, of which it has the first;
+// the word that chooses between them follows from that.
 std::string example_json(const client::ModelInfo& model) {
-  constexpr std::array<std::string_view, 3> kLeftOut = {"fresnel", "eta", "k"};
   std::vector<std::string> parts;
   for (const client::ParameterInfo& parameter : model.parameters) {
-    if (std::count(kLeftOut.begin(), kLeftOut.end(), parameter.name) != 0) continue;
+    if (!example_word(model, parameter.name).empty()) continue;
+    const auto& words = parameter.used_with_words;
+    const std::string word = example_word(model, parameter.used_with);
+    if (!words.empty() && std::find(words.begin(), words.end(), word) == words.end()) continue;
     const std::string value =
         parameter.words.empty() ? shortest(parameter.start) : "\"" + parameter.words.front() + "\"";
     parts.push_back("\"" + parameter.name + "\": " + value);

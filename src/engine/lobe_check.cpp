@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "engine/registry.h"
-#include "parts/fresnel.h"
 
 namespace gonio {
 namespace {
@@ -16,9 +15,12 @@ std::string text_of(double number) {
   return {buffer, end};
 }
 
-std::string joined(std::span<const std::string_view> words) {
+std::string joined(std::span<const std::string_view> words, std::string_view separator = ", ") {
   std::string all;
-  for (const std::string_view word : words) all += (all.empty() ? "" : ", ") + std::string(word);
+  for (const std::string_view word : words) {
+    if (!all.empty()) all += separator;
+    all += word;
+  }
   return all;
 }
 
@@ -90,48 +92,71 @@ Result<std::size_t> check_word(const std::string& field, const Parameter& p,
   return static_cast<std::size_t>(found - p.words.begin());
 }
 
-// Which of Fresnel's kinds the given numbers mean when no word says so.
-std::string inferred_fresnel(const LobeSpec& lobe) {
-  if (find(lobe, "f0") != nullptr) return "schlick";
-  if (find(lobe, "k") != nullptr) return "conductor";
-  return find(lobe, "eta") != nullptr ? "dielectric" : "none";
+bool usable_with(const Parameter& number, std::string_view word) {
+  const auto& words = number.used_with.words;
+  return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// A number that the chosen kind would ignore is a mistake, not a wish.
-Outcome check_fresnel_use(const NamedLobe& lobe, std::string_view kind) {
-  const auto refuse = [&](std::string_view name, std::string_view users) -> Outcome {
-    return bad_value(lobe.prefix + "parameters." + std::string(name),
-                     "given with fresnel " + std::string(kind),
-                     "only with fresnel " + std::string(users));
-  };
-  if (find(*lobe.spec, "f0") != nullptr && kind != "schlick") return refuse("f0", "schlick");
-  if (find(*lobe.spec, "k") != nullptr && kind != "conductor") return refuse("k", "conductor");
-  if (find(*lobe.spec, "eta") != nullptr && kind != "dielectric" && kind != "conductor") {
-    return refuse("eta", "dielectric or conductor");
+// The given numbers that have a meaning only with some words of `choice`.
+std::vector<const Parameter*> given_users(const NamedLobe& lobe, const ModelDescription& model,
+                                          const Parameter& choice) {
+  std::vector<const Parameter*> users;
+  for (const Parameter& p : model.parameters) {
+    if (p.used_with.parameter == choice.name && find(*lobe.spec, p.name) != nullptr)
+      users.push_back(&p);
+  }
+  return users;
+}
+
+// The word that the given numbers mean when none says so: the first that all can be used with. If
+// they contradict each other, the first one's.
+std::size_t inferred_word(const Parameter& choice, const std::vector<const Parameter*>& users) {
+  for (std::size_t word = 0; word < choice.words.size(); ++word) {
+    const auto fits = [&](const Parameter* p) { return usable_with(*p, choice.words[word]); };
+    if (std::all_of(users.begin(), users.end(), fits)) return word;
+  }
+  const auto of_first =
+      std::find(choice.words.begin(), choice.words.end(), users.front()->used_with.words.front());
+  return static_cast<std::size_t>(of_first - choice.words.begin());
+}
+
+// A number that the chosen word would ignore is a mistake, not a wish.
+Outcome check_use(const NamedLobe& lobe, const std::vector<const Parameter*>& users,
+                  std::string_view word) {
+  for (const Parameter* p : users) {
+    if (usable_with(*p, word)) continue;
+    const std::string choice(p->used_with.parameter);
+    return bad_value(lobe.prefix + "parameters." + std::string(p->name),
+                     "given with " + choice + " " + std::string(word),
+                     "only with " + choice + " " + joined(p->used_with.words, " or "));
   }
   return Ok{};
 }
 
-Outcome check_parameter(const NamedLobe& lobe, const Parameter& p, CheckedLobe& checked,
-                        ChannelCount& channels) {
-  const std::string field = lobe.prefix + "parameters." + std::string(p.name);
-  const ParameterValue* given = find(*lobe.spec, p.name);
-  if (p.kind != Kind::word) {
-    if (given == nullptr) return checked.values.set(p.name, {p.start}), Ok{};
-    Result<std::vector<double>> numbers = check_numbers(field, p, *given, channels);
-    if (!numbers) return numbers.error();
-    return checked.values.set(p.name, std::move(numbers).value()), Ok{};
-  }
+Outcome check_choice(const NamedLobe& lobe, const Parameter& p, CheckedLobe& checked) {
+  const auto users = given_users(lobe, *checked.model, p);
   std::size_t word = 0;
-  const ParameterValue inferred = inferred_fresnel(*lobe.spec);
-  if (given == nullptr && p.name == fresnel::kKind.name) given = &inferred;
-  if (given != nullptr) {
-    Result<std::size_t> found = check_word(field, p, *given);
+  if (const ParameterValue* given = find(*lobe.spec, p.name); given != nullptr) {
+    Result<std::size_t> found =
+        check_word(lobe.prefix + "parameters." + std::string(p.name), p, *given);
     if (!found) return found.error();
     word = *found;
+  } else {
+    word = inferred_word(p, users);
   }
   checked.kind = checked.kind * p.words.size() + word;
-  return p.name == fresnel::kKind.name ? check_fresnel_use(lobe, p.words[word]) : Outcome(Ok{});
+  return check_use(lobe, users, p.words[word]);
+}
+
+Outcome check_parameter(const NamedLobe& lobe, const Parameter& p, CheckedLobe& checked,
+                        ChannelCount& channels) {
+  if (p.kind == Kind::word) return check_choice(lobe, p, checked);
+  const ParameterValue* given = find(*lobe.spec, p.name);
+  if (given == nullptr) return checked.values.set(p.name, {p.start}), Ok{};
+  const std::string field = lobe.prefix + "parameters." + std::string(p.name);
+  Result<std::vector<double>> numbers = check_numbers(field, p, *given, channels);
+  if (!numbers) return numbers.error();
+  return checked.values.set(p.name, std::move(numbers).value()), Ok{};
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ constexpr ModelDescription kMeasured{
                      "from cell boundaries"},
     .reference = {.relative = 1e-10,
                   .note = "of the largest of the table's cells that are interpolated; nearest: "
-                          "away from cell boundaries"}};
+                          "away from cell boundaries"},
+    .albedo_limit = 0};
 
 template <class... Models>
 std::vector<ModelDescription> describe(TypeList<Models...>) {

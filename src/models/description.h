@@ -22,6 +22,12 @@ enum class Kind : std::uint8_t {
   word,    // one of `words`
 };
 
+// The words of another parameter with which a number has a meaning; none: it always has.
+struct UsedWith {
+  std::string_view parameter = {};
+  std::span<const std::string_view> words = {};
+};
+
 struct Parameter {
   std::string_view name;
   std::string_view meaning;
@@ -31,7 +37,10 @@ struct Parameter {
   double start = 0;  // taken when the parameter is not given; a fit starts here
   Scale scale = Scale::linear;
   Kind kind = Kind::number;
-  std::span<const std::string_view> words = {};  // the default first; for Kind::word only
+  // For Kind::word only, the default first. A word that is not given is the first one that all the
+  // given numbers can be used with.
+  std::span<const std::string_view> words = {};
+  UsedWith used_with = {};
 };
 
 // |f - truth| <= relative * truth wherever truth > above and both n.wi and n.wo > cosine, truth
@@ -53,6 +62,9 @@ struct ModelDescription {
   std::span<const Parameter> parameters;
   ErrorBound fast;       // float32 in and out
   ErrorBound reference;  // float64
+  // The largest albedo over all directions, for colours and a scale of at most 1. Above 1 for what
+  // gains energy as published; 0 where it is not known (a table).
+  double albedo_limit = 1;
 };
 
 }  // namespace gonio

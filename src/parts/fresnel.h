@@ -21,6 +21,10 @@ namespace gonio::fresnel {
 inline constexpr std::array<std::string_view, 4> kWords{"none", "schlick", "dielectric",
                                                         "conductor"};
 
+inline constexpr std::array<std::string_view, 1> kSchlickOnly{"schlick"};
+inline constexpr std::array<std::string_view, 2> kIndexed{"dielectric", "conductor"};
+inline constexpr std::array<std::string_view, 1> kConductorOnly{"conductor"};
+
 inline constexpr Parameter kKind{
     .name = "fresnel",
     .meaning = "reflectance of a microfacet; if not given, it follows from f0, eta and k",
@@ -28,28 +32,30 @@ inline constexpr Parameter kKind{
     .kind = Kind::word,
     .words = kWords};
 inline constexpr Parameter kF0{.name = "f0",
-                               .meaning = "reflectance at normal incidence, for schlick",
+                               .meaning = "reflectance at normal incidence",
                                .unit = "1",
                                .lower = 0,
                                .upper = 1,
                                .start = 0.04,
-                               .kind = Kind::colour};
-inline constexpr Parameter kEta{
-    .name = "eta",
-    .meaning = "refractive index relative to the outside, for dielectric and conductor",
-    .unit = "1",
-    .lower = 0.01,
-    .upper = 100,
-    .start = 1.5,
-    .scale = Scale::logarithmic,
-    .kind = Kind::colour};
+                               .kind = Kind::colour,
+                               .used_with = {"fresnel", kSchlickOnly}};
+inline constexpr Parameter kEta{.name = "eta",
+                                .meaning = "refractive index relative to the outside",
+                                .unit = "1",
+                                .lower = 0.01,
+                                .upper = 100,
+                                .start = 1.5,
+                                .scale = Scale::logarithmic,
+                                .kind = Kind::colour,
+                                .used_with = {"fresnel", kIndexed}};
 inline constexpr Parameter kK{.name = "k",
-                              .meaning = "extinction coefficient, for conductor",
+                              .meaning = "extinction coefficient",
                               .unit = "1",
                               .lower = 0,
                               .upper = 100,
                               .start = 0,
-                              .kind = Kind::colour};
+                              .kind = Kind::colour,
+                              .used_with = {"fresnel", kConductorOnly}};
 
 // F = 1.
 struct None {
