@@ -104,28 +104,12 @@ constexpr KernelSet kernel_set() {
           &analytic<Reference, Kind, double>};
 }
 
-// The sets of all kinds of all models, in the registry's order.
-template <class... Kinds, class... More>
-auto concatenate(TypeList<Kinds...>, TypeList<More...>) -> TypeList<Kinds..., More...>;
-
-template <class Done, class Models>
-struct AllKinds;
-template <class Done>
-struct AllKinds<Done, TypeList<>> {
-  using Type = Done;
-};
-template <class Done, class Model, class... Models>
-struct AllKinds<Done, TypeList<Model, Models...>> {
-  using Joined = decltype(concatenate(Done{}, typename Model::Kinds{}));
-  using Type = typename AllKinds<Joined, TypeList<Models...>>::Type;
-};
-
 template <class... Kinds>
 constexpr std::array<KernelSet, sizeof...(Kinds)> kernel_sets(TypeList<Kinds...>) {
   return {kernel_set<Kinds>()...};
 }
 
-constexpr auto kAnalytic = kernel_sets(AllKinds<TypeList<>, AllModels>::Type{});
+constexpr auto kAnalytic = kernel_sets(AllKinds{});
 
 template <class T>
 void split(const T* __restrict xyz, std::size_t n, T* __restrict x, T* __restrict y,

@@ -16,4 +16,9 @@ using AllModels = TypeList<  //
     CookTorrance,            //
     Ggx>;
 
+// The kinds of all models, in that order: of each the words' combinations, the last word fastest.
+template <class... Models>
+Concatenated<typename Models::Kinds...> all_kinds(TypeList<Models...>);
+using AllKinds = decltype(all_kinds(AllModels{}));
+
 }  // namespace gonio
