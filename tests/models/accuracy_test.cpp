@@ -101,14 +101,6 @@ class Accuracy : public ::testing::TestWithParam<std::string> {
   std::map<std::string, Summary> summaries_;
 };
 
-std::vector<std::string> analytic_models_and_sums() {
-  std::vector<std::string> names{"sum"};
-  for (const ModelDescription& model : models()) {
-    if (model.role != Role::measured) names.emplace_back(model.name);
-  }
-  return names;
-}
-
 // At the critical angle of total reflection (eta < 1) F has an infinite slope, so that one rounding
 // of eta in float64 moves f by far more. Returns four times that shift, relative to f.
 template <class In>
@@ -191,7 +183,7 @@ TEST_P(Accuracy, StaysProperAtTheSmallestNumbers) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, Accuracy, ::testing::ValuesIn(analytic_models_and_sums()),
+INSTANTIATE_TEST_SUITE_P(Models, Accuracy, ::testing::ValuesIn(models_with_cases()),
                          [](const auto& model) { return model.param; });
 
 }  // namespace

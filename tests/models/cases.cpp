@@ -3,6 +3,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "engine/registry.h"
+
 namespace gonio::testing {
 namespace {
 
@@ -124,6 +126,21 @@ std::vector<Case> microfacet_cases(const std::string& model, const std::vector<S
   return cases;
 }
 
+// Phong exponents from 0 to the sharpest, with what else a lobe needs.
+std::vector<Shape> exponent_shapes(const Parameters& others = {}) {
+  std::vector<Shape> shapes;
+  for (const double s : {100.0, 0.0, 0.3, 1.0, 10.0, 1e3, 1e4, 1e6, 1e7}) {
+    Parameters parameters = others;
+    parameters["s"] = number(s);
+    shapes.push_back({"s " + text(s),
+                      s <= 1e3   ? Sharpness::smooth
+                      : s <= 1e6 ? Sharpness::sharp
+                                 : Sharpness::extreme,
+                      std::move(parameters)});
+  }
+  return shapes;
+}
+
 std::vector<Case> cook_torrance_cases() {
   std::vector<Shape> shapes;
   for (const double m : {0.3, 2.0, 1.0, 0.5, 0.1, 0.045, 0.01, 0.003, 0.001}) {
@@ -184,6 +201,14 @@ std::vector<Case> sum_cases() {
 }
 
 }  // namespace
+
+std::vector<std::string> models_with_cases() {
+  std::vector<std::string> names{"sum"};
+  for (const ModelDescription& model : models()) {
+    if (model.role != Role::measured) names.emplace_back(model.name);
+  }
+  return names;
+}
 
 std::vector<Case> cases_of(std::string_view model) {
   if (model == "lambertian") return lambertian_cases();
