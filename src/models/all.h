@@ -6,6 +6,7 @@
 #include "models/cook_torrance.h"
 #include "models/ggx.h"
 #include "models/lambertian.h"
+#include "models/phong.h"
 #include "numeric/type_list.h"
 
 namespace gonio {
@@ -14,7 +15,8 @@ using AllModels = TypeList<  //
     Lambertian,              //
     AshikhminShirley,        //
     CookTorrance,            //
-    Ggx>;
+    Ggx,                     //
+    Phong>;
 
 // The kinds of all models, in that order: of each the words' combinations, the last word fastest.
 template <class... Models>

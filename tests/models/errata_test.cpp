@@ -158,6 +158,26 @@ std::vector<Erratum> lobe_errata() {
           {"h = s + v", sum(kNormal, kNormal).z, library_n_h(), 1, 1e-9, false, 2}};
 }
 
+// The share of the hemisphere for which g is negative.
+double negative_share(const std::function<double(const Vector&)>& g) {
+  constexpr int kSteps = 400;
+  int negative = 0;
+  for (int i = 0; i < kSteps * kSteps; ++i) {
+    const double z = (i / kSteps + 0.5) / kSteps, phi = (i % kSteps + 0.5) * 360 / kSteps;
+    if (g(at(std::acos(z) / kDegree, phi)) < 0) ++negative;
+  }
+  return static_cast<double>(negative) / (kSteps * kSteps);
+}
+
+std::vector<Erratum> phong_errata() {
+  const Vector wi = at(60);
+  const MaterialSpec linear = alone("phong", {{"s", number(1)}});
+  const auto printed = [&](const Vector& wo) { return wi.z * wo.z - wi.x * wo.x - wi.y * wo.y; };
+  const auto library = [&](const Vector& wo) { return f(linear, wi, wo); };
+  return {{"(wr.wo)^s without a clamp", negative_share(printed), negative_share(library), 0, 0,
+           true, 1. / 3, 5e-3}};
+}
+
 class Errata : public ::testing::TestWithParam<std::vector<Erratum> (*)()> {};
 
 TEST_P(Errata, PrintedFormFailsAndTheLibraryPasses) {
@@ -174,7 +194,8 @@ TEST(FresnelErrata, FresnelAt75DegreesIsThatOfTheHalfVector) {
   EXPECT_NEAR(library_fresnel(kGlass, at(75), kNormal), 0.044, 5e-4);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfThePublications, Errata, ::testing::Values(fresnel_errata, lobe_errata));
+INSTANTIATE_TEST_SUITE_P(OfThePublications, Errata,
+                         ::testing::Values(fresnel_errata, lobe_errata, phong_errata));
 
 }  // namespace
 }  // namespace gonio::testing

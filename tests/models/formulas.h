@@ -85,6 +85,18 @@ Real conductor(Real c, Real eta, Real k) {
   return (ratio(c, 0) + ratio(n2_re * c, n2_im * c)) / 2;
 }
 
+// The cosine between wo and the mirror image of wi, or 0.
+template <class Real>
+Real mirror_cosine(const Vec<Real>& wi, const Vec<Real>& wo) {
+  return std::max(Real(0), wi.z * wo.z - wi.x * wo.x - wi.y * wo.y);
+}
+
+// Phong's lobe with the norm that makes its albedo 1 at normal incidence.
+template <class Real>
+Real phong(const Vec<Real>& wi, const Vec<Real>& wo, Real s) {
+  return (s + 2) / (2 * pi<Real>()) * power(mirror_cosine(wi, wo), s);
+}
+
 // Normal distribution of Beckmann, slope m.
 template <class Real>
 Real beckmann(const Vec<Real>& h, Real m) {

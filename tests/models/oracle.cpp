@@ -90,6 +90,7 @@ Real Oracle<Real>::without_fresnel(const Lobe& lobe, const Pair& pair) {
     const Real shadowing = 1 / (1 + smith_lambda(wi, ax, ay) + smith_lambda(wo, ax, ay));
     return trowbridge_reitz(h, ax, ay) * shadowing / (4 * wi.z * wo.z);
   }
+  if (lobe.model == "phong") return phong(wi, wo, lobe.at("s"));
   throw std::out_of_range("no oracle for the model " + lobe.model);
 }
 
