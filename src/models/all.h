@@ -3,6 +3,7 @@
 #pragma once
 
 #include "models/ashikhmin_shirley.h"
+#include "models/blinn_phong.h"
 #include "models/cook_torrance.h"
 #include "models/ggx.h"
 #include "models/lambertian.h"
@@ -16,7 +17,8 @@ using AllModels = TypeList<  //
     AshikhminShirley,        //
     CookTorrance,            //
     Ggx,                     //
-    Phong>;
+    Phong,                   //
+    BlinnPhong>;
 
 // The kinds of all models, in that order: of each the words' combinations, the last word fastest.
 template <class... Models>

@@ -216,6 +216,7 @@ std::vector<Case> cases_of(std::string_view model) {
   if (model == "cook_torrance") return cook_torrance_cases();
   if (model == "ggx") return ggx_cases();
   if (model == "phong") return microfacet_cases("phong", exponent_shapes());
+  if (model == "blinn_phong") return microfacet_cases("blinn_phong", exponent_shapes());
   if (model == "sum") return sum_cases();
   throw std::out_of_range("no cases for the model " + std::string(model));
 }

@@ -169,6 +169,21 @@ double negative_share(const std::function<double(const Vector&)>& g) {
   return static_cast<double>(negative) / (kSteps * kSteps);
 }
 
+// The albedo at normal incidence of a lobe of revolution.
+double albedo_at_normal(const std::function<double(const Vector&)>& g) { return projected_area(g); }
+
+std::vector<Erratum> blinn_phong_errata() {
+  constexpr double kExponent = 8.75;
+  const MaterialSpec spec = alone("blinn_phong", {{"s", number(kExponent)}});
+  const auto printed = [](const Vector& wo) {
+    const double n_h = normalized(sum(kNormal, wo)).z;
+    return (kExponent + 8) / (8 * kPi) * std::pow(n_h, kExponent);
+  };
+  const auto library = [&](const Vector& wo) { return f(spec, kNormal, wo); };
+  return {{"(s + 8) / (8 pi)", albedo_at_normal(printed), albedo_at_normal(library), 1, 1e-5, true,
+           1.075}};
+}
+
 std::vector<Erratum> phong_errata() {
   const Vector wi = at(60);
   const MaterialSpec linear = alone("phong", {{"s", number(1)}});
@@ -195,7 +210,8 @@ TEST(FresnelErrata, FresnelAt75DegreesIsThatOfTheHalfVector) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfThePublications, Errata,
-                         ::testing::Values(fresnel_errata, lobe_errata, phong_errata));
+                         ::testing::Values(fresnel_errata, lobe_errata, phong_errata,
+                                           blinn_phong_errata));
 
 }  // namespace
 }  // namespace gonio::testing

@@ -97,6 +97,13 @@ Real phong(const Vec<Real>& wi, const Vec<Real>& wo, Real s) {
   return (s + 2) / (2 * pi<Real>()) * power(mirror_cosine(wi, wo), s);
 }
 
+// Blinn's lobe with the norm that makes its albedo 1 at normal incidence.
+template <class Real>
+Real blinn_phong(const Vec<Real>& h, Real s) {
+  const Real norm = (s + 2) * (s + 4) / (8 * pi<Real>() * (power(Real(2), -s / 2) + s));
+  return norm * power(h.z, s);
+}
+
 // Normal distribution of Beckmann, slope m.
 template <class Real>
 Real beckmann(const Vec<Real>& h, Real m) {

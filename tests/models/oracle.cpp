@@ -91,6 +91,7 @@ Real Oracle<Real>::without_fresnel(const Lobe& lobe, const Pair& pair) {
     return trowbridge_reitz(h, ax, ay) * shadowing / (4 * wi.z * wo.z);
   }
   if (lobe.model == "phong") return phong(wi, wo, lobe.at("s"));
+  if (lobe.model == "blinn_phong") return blinn_phong(h, lobe.at("s"));
   throw std::out_of_range("no oracle for the model " + lobe.model);
 }
 
