@@ -8,6 +8,7 @@
 #include "models/ggx.h"
 #include "models/lambertian.h"
 #include "models/phong.h"
+#include "models/phong_mix.h"
 #include "numeric/type_list.h"
 
 namespace gonio {
@@ -18,7 +19,8 @@ using AllModels = TypeList<  //
     CookTorrance,            //
     Ggx,                     //
     Phong,                   //
-    BlinnPhong>;
+    BlinnPhong,              //
+    PhongMix>;
 
 // The kinds of all models, in that order: of each the words' combinations, the last word fastest.
 template <class... Models>

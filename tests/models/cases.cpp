@@ -172,6 +172,17 @@ std::vector<Case> ggx_cases() {
   return microfacet_cases("ggx", shapes);
 }
 
+std::vector<Case> phong_mix_cases() {
+  std::vector<Shape> shapes;
+  for (const double mix : {0.3, 0.0, 1e-6, 0.9, 1.0}) {
+    for (Shape& shape : exponent_shapes({{"mix", number(mix)}})) {
+      shape.name += " mix " + text(mix);
+      shapes.push_back(std::move(shape));
+    }
+  }
+  return microfacet_cases("phong_mix", shapes);
+}
+
 // Sums take their parts with their own parameters; channels spread over one and many.
 std::vector<Case> sum_cases() {
   const auto part = [](std::string model, Parameters parameters) {
@@ -217,6 +228,7 @@ std::vector<Case> cases_of(std::string_view model) {
   if (model == "ggx") return ggx_cases();
   if (model == "phong") return microfacet_cases("phong", exponent_shapes());
   if (model == "blinn_phong") return microfacet_cases("blinn_phong", exponent_shapes());
+  if (model == "phong_mix") return phong_mix_cases();
   if (model == "sum") return sum_cases();
   throw std::out_of_range("no cases for the model " + std::string(model));
 }

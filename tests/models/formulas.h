@@ -104,6 +104,13 @@ Real blinn_phong(const Vec<Real>& h, Real s) {
   return norm * power(h.z, s);
 }
 
+// The power of a mean of both cosines of Nielsen and others.
+template <class Real>
+Real phong_mix(const Vec<Real>& wi, const Vec<Real>& wo, const Vec<Real>& h, Real s, Real mix) {
+  const Real cos2 = h.z * h.z;
+  return power((1 - mix) * mirror_cosine(wi, wo) + mix * cos2 * cos2, s);
+}
+
 // Normal distribution of Beckmann, slope m.
 template <class Real>
 Real beckmann(const Vec<Real>& h, Real m) {

@@ -92,6 +92,7 @@ Real Oracle<Real>::without_fresnel(const Lobe& lobe, const Pair& pair) {
   }
   if (lobe.model == "phong") return phong(wi, wo, lobe.at("s"));
   if (lobe.model == "blinn_phong") return blinn_phong(h, lobe.at("s"));
+  if (lobe.model == "phong_mix") return phong_mix(wi, wo, h, lobe.at("s"), lobe.at("mix"));
   throw std::out_of_range("no oracle for the model " + lobe.model);
 }
 
