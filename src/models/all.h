@@ -7,6 +7,7 @@
 #include "models/cook_torrance.h"
 #include "models/ggx.h"
 #include "models/lambertian.h"
+#include "models/oren_nayar.h"
 #include "models/phong.h"
 #include "models/phong_mix.h"
 #include "numeric/type_list.h"
@@ -20,7 +21,8 @@ using AllModels = TypeList<  //
     Ggx,                     //
     Phong,                   //
     BlinnPhong,              //
-    PhongMix>;
+    PhongMix,                //
+    OrenNayar>;
 
 // The kinds of all models, in that order: of each the words' combinations, the last word fastest.
 template <class... Models>

@@ -183,6 +183,20 @@ std::vector<Case> phong_mix_cases() {
   return microfacet_cases("phong_mix", shapes);
 }
 
+std::vector<Case> oren_nayar_cases() {
+  std::vector<Case> cases;
+  for (const std::string form : {"full", "short"}) {
+    for (const double sigma : {0.3, 0.0, 1e-3, 0.1, 0.7, 0.8, 1.2, 1.5707963267948966}) {
+      for (const Colour& rd : {Colour{0.5}, Colour{1}, Colour{0.01, 0.1, 0.9}}) {
+        cases.push_back(
+            {form + " sigma " + text(sigma) + " rd " + text(rd[0]), Sharpness::smooth,
+             alone("oren_nayar", {{"form", form}, {"sigma", number(sigma)}, {"rd", rd}})});
+      }
+    }
+  }
+  return cases;
+}
+
 // Sums take their parts with their own parameters; channels spread over one and many.
 std::vector<Case> sum_cases() {
   const auto part = [](std::string model, Parameters parameters) {
@@ -229,6 +243,7 @@ std::vector<Case> cases_of(std::string_view model) {
   if (model == "phong") return microfacet_cases("phong", exponent_shapes());
   if (model == "blinn_phong") return microfacet_cases("blinn_phong", exponent_shapes());
   if (model == "phong_mix") return phong_mix_cases();
+  if (model == "oren_nayar") return oren_nayar_cases();
   if (model == "sum") return sum_cases();
   throw std::out_of_range("no cases for the model " + std::string(model));
 }

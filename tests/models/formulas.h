@@ -111,6 +111,33 @@ Real phong_mix(const Vec<Real>& wi, const Vec<Real>& wo, const Vec<Real>& h, Rea
   return power((1 - mix) * mirror_cosine(wi, wo) + mix * cos2 * cos2, s);
 }
 
+// Oren and Nayar's diffuse reflection: the factors of rd/pi and of rd^2/pi.
+template <class Real>
+struct Facets {
+  Real once, twice;
+};
+template <class Real>
+Facets<Real> oren_nayar(const Vec<Real>& wi, const Vec<Real>& wo, Real sigma, bool full) {
+  const Real s2 = sigma * sigma, pi_half = pi<Real>() / 2;
+  const auto sine = [](const Vec<Real>& w) { return root(w.x * w.x + w.y * w.y); };
+  const Real si = sine(wi), so = sine(wo);
+  const Real ti = arctangent(si, wi.z), to = arctangent(so, wo.z);
+  const Real sin_a = ti < to ? so : si, beta = std::min(ti, to), alpha = std::max(ti, to);
+  const Real tan_b = ti < to ? si / wi.z : so / wo.z;
+  const Real product = si * so;
+  const Real cos_phi = product > 0 ? (wi.x * wo.x + wi.y * wo.y) / product : Real(0);
+  const Real c1 = 1 - s2 / (s2 + static_cast<Real>(0.33)) / 2;
+  const Real ratio = s2 / (s2 + static_cast<Real>(0.09));
+  const Real c2 = static_cast<Real>(0.45) * ratio;
+  if (!full) return {c1 + c2 * std::max(Real(0), cos_phi) * sin_a * tan_b, 0};
+  const Real b = beta / pi_half, ab = alpha * beta / (pi_half * pi_half);
+  const Real second = cos_phi * tan_b * (cos_phi < 0 ? sin_a - b * b * b : sin_a);
+  const Real absolute = cos_phi < 0 ? -cos_phi : cos_phi;
+  const Real third = (1 - absolute) * ratio / 8 * ab * ab * (si + so) / (wi.z + wo.z);
+  const Real again = static_cast<Real>(0.17) * s2 / (s2 + static_cast<Real>(0.13));
+  return {c1 + c2 * second + third, again * (1 - cos_phi * b * b)};
+}
+
 // Normal distribution of Beckmann, slope m.
 template <class Real>
 Real beckmann(const Vec<Real>& h, Real m) {

@@ -29,6 +29,7 @@ template <class Real>
 struct Oracle<Real>::Lobe {
   std::string model;
   Reflectance reflectance;
+  bool full;  // of Oren and Nayar's forms
   std::map<std::string, std::vector<double>> numbers;
 
   [[nodiscard]] Real at(const std::string& name, std::size_t channel = 0) const {
@@ -39,7 +40,10 @@ struct Oracle<Real>::Lobe {
 
 template <class Real>
 typename Oracle<Real>::Lobe Oracle<Real>::lobe_of(const LobeSpec& spec) {
-  Lobe lobe{spec.model, reflectance_of(spec), {{"scale", {1.0}}}};
+  const auto form = spec.parameters.find("form");
+  const bool is_short =
+      form != spec.parameters.end() && std::get<std::string>(form->second) == "short";
+  Lobe lobe{spec.model, reflectance_of(spec), !is_short, {{"scale", {1.0}}}};
   for (const auto& [name, value] : spec.parameters) {
     if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
       lobe.numbers[name] = *numbers;
@@ -100,6 +104,11 @@ Real Oracle<Real>::without_fresnel(const Lobe& lobe, const Pair& pair) {
 template <class Real>
 Real Oracle<Real>::channel(const Lobe& lobe, const Pair& pair, Real shared, std::size_t c) {
   if (lobe.model == "lambertian") return lobe.at("rd", c) / pi<Real>();
+  if (lobe.model == "oren_nayar") {
+    const Real rd = lobe.at("rd", c);
+    const auto facets = oren_nayar(pair.wi, pair.wo, lobe.at("sigma"), lobe.full);
+    return std::max(Real(0), rd / pi<Real>() * (facets.once + rd * facets.twice));
+  }
   if (lobe.model == "ashikhmin_shirley") {
     const Real rs = lobe.at("rs", c), diffuse = coupled_diffuse(pair.wi.z, pair.wo.z);
     return lobe.at("scale", c) * shared * schlick(pair.hk, rs) +
@@ -110,7 +119,8 @@ Real Oracle<Real>::channel(const Lobe& lobe, const Pair& pair, Real shared, std:
 
 template <class Real>
 void Oracle<Real>::add(const Lobe& lobe, const Pair& pair, std::span<Real> f) {
-  const Real shared = lobe.model == "lambertian" ? Real(0) : without_fresnel(lobe, pair);
+  const bool diffuse = lobe.model == "lambertian" || lobe.model == "oren_nayar";
+  const Real shared = diffuse ? Real(0) : without_fresnel(lobe, pair);
   for (std::size_t c = 0; c < f.size(); ++c) f[c] += channel(lobe, pair, shared, c);
 }
 
