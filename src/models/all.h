@@ -10,6 +10,7 @@
 #include "models/oren_nayar.h"
 #include "models/phong.h"
 #include "models/phong_mix.h"
+#include "models/ward.h"
 #include "numeric/type_list.h"
 
 namespace gonio {
@@ -22,7 +23,8 @@ using AllModels = TypeList<  //
     Phong,                   //
     BlinnPhong,              //
     PhongMix,                //
-    OrenNayar>;
+    OrenNayar,               //
+    Ward>;
 
 // The kinds of all models, in that order: of each the words' combinations, the last word fastest.
 template <class... Models>

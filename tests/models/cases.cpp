@@ -150,7 +150,8 @@ std::vector<Case> cook_torrance_cases() {
   return microfacet_cases("cook_torrance", shapes);
 }
 
-std::vector<Case> ggx_cases() {
+// Roughness along both tangents.
+std::vector<Shape> rough_shapes() {
   struct Roughness {
     double x, y;
   };
@@ -169,7 +170,16 @@ std::vector<Case> ggx_cases() {
                       std::min(x, y) >= 0.045 ? Sharpness::smooth : Sharpness::sharp,
                       {{"alpha_x", number(x)}, {"alpha_y", number(y)}}});
   }
-  return microfacet_cases("ggx", shapes);
+  return shapes;
+}
+
+std::vector<Case> ward_cases() {
+  std::vector<Case> cases;
+  for (Shape& shape : rough_shapes()) {
+    shape.parameters["rs"] = Colour{0, 0.37, 1};
+    cases.push_back({shape.name, shape.sharpness, alone("ward", std::move(shape.parameters))});
+  }
+  return cases;
 }
 
 std::vector<Case> phong_mix_cases() {
@@ -239,11 +249,12 @@ std::vector<Case> cases_of(std::string_view model) {
   if (model == "lambertian") return lambertian_cases();
   if (model == "ashikhmin_shirley") return ashikhmin_shirley_cases();
   if (model == "cook_torrance") return cook_torrance_cases();
-  if (model == "ggx") return ggx_cases();
+  if (model == "ggx") return microfacet_cases("ggx", rough_shapes());
   if (model == "phong") return microfacet_cases("phong", exponent_shapes());
   if (model == "blinn_phong") return microfacet_cases("blinn_phong", exponent_shapes());
   if (model == "phong_mix") return phong_mix_cases();
   if (model == "oren_nayar") return oren_nayar_cases();
+  if (model == "ward") return ward_cases();
   if (model == "sum") return sum_cases();
   throw std::out_of_range("no cases for the model " + std::string(model));
 }

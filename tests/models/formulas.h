@@ -146,6 +146,15 @@ Real beckmann(const Vec<Real>& h, Real m) {
   return exponential(-tan2 / (m * m)) / (pi<Real>() * m * m * cos2 * cos2);
 }
 
+// Ward's lobe with the denominator that bounds its albedo.
+template <class Real>
+Real ward(const Vec<Real>& h, Real hk, Real alpha_x, Real alpha_y) {
+  const Real cos2 = h.z * h.z;
+  const Real a = h.x / alpha_x, b = h.y / alpha_y;
+  return exponential(-(a * a + b * b) / cos2) /
+         (4 * pi<Real>() * alpha_x * alpha_y * hk * hk * cos2 * cos2);
+}
+
 // Masking and shadowing of V-grooves (Torrance and Sparrow); hk = h.wi = h.wo.
 template <class Real>
 Real v_groove(Real n_wi, Real n_wo, Real n_h, Real hk) {

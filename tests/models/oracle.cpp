@@ -97,6 +97,7 @@ Real Oracle<Real>::without_fresnel(const Lobe& lobe, const Pair& pair) {
   if (lobe.model == "phong") return phong(wi, wo, lobe.at("s"));
   if (lobe.model == "blinn_phong") return blinn_phong(h, lobe.at("s"));
   if (lobe.model == "phong_mix") return phong_mix(wi, wo, h, lobe.at("s"), lobe.at("mix"));
+  if (lobe.model == "ward") return ward(h, hk, lobe.at("alpha_x"), lobe.at("alpha_y"));
   throw std::out_of_range("no oracle for the model " + lobe.model);
 }
 
@@ -114,7 +115,8 @@ Real Oracle<Real>::channel(const Lobe& lobe, const Pair& pair, Real shared, std:
     return lobe.at("scale", c) * shared * schlick(pair.hk, rs) +
            lobe.at("rd", c) * (1 - rs) * diffuse;
   }
-  return lobe.at("scale", c) * shared * fresnel(lobe, pair.hk, c);
+  const Real colour = lobe.model == "ward" ? lobe.at("rs", c) : fresnel(lobe, pair.hk, c);
+  return lobe.at("scale", c) * shared * colour;
 }
 
 template <class Real>
