@@ -147,6 +147,7 @@ std::vector<Case> cook_torrance_cases() {
     shapes.push_back(
         {"m " + text(m), m >= 0.045 ? Sharpness::smooth : Sharpness::sharp, {{"m", number(m)}}});
   }
+  for (Shape& shape : exponent_shapes()) shapes.push_back(std::move(shape));
   return microfacet_cases("cook_torrance", shapes);
 }
 

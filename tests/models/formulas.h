@@ -155,6 +155,12 @@ Real ward(const Vec<Real>& h, Real hk, Real alpha_x, Real alpha_y) {
          (4 * pi<Real>() * alpha_x * alpha_y * hk * hk * cos2 * cos2);
 }
 
+// Normal distribution as a cosine power.
+template <class Real>
+Real cosine_power(const Vec<Real>& h, Real s) {
+  return (s + 2) / (2 * pi<Real>()) * power(h.z, s);
+}
+
 // Masking and shadowing of V-grooves (Torrance and Sparrow); hk = h.wi = h.wo.
 template <class Real>
 Real v_groove(Real n_wi, Real n_wo, Real n_h, Real hk) {

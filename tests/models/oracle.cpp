@@ -87,7 +87,9 @@ Real Oracle<Real>::without_fresnel(const Lobe& lobe, const Pair& pair) {
     return anisotropic_phong(h, lobe.at("nu"), lobe.at("nv")) / (hk * std::max(wi.z, wo.z));
   }
   if (lobe.model == "cook_torrance") {
-    return beckmann(h, lobe.at("m")) * v_groove(wi.z, wo.z, h.z, hk) / (4 * wi.z * wo.z);
+    const Real d =
+        lobe.numbers.contains("s") ? cosine_power(h, lobe.at("s")) : beckmann(h, lobe.at("m"));
+    return d * v_groove(wi.z, wo.z, h.z, hk) / (4 * wi.z * wo.z);
   }
   if (lobe.model == "ggx") {
     const Real ax = lobe.at("alpha_x"), ay = lobe.at("alpha_y");
