@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cassert>
 #include <cstdint>
+#include <type_traits>
 
 #include "engine/layout.h"
 #include "engine/material_impl.h"
@@ -48,6 +49,17 @@ struct OutputScratch {
 Kernel<float, float> choose(const KernelSet& set, float, float) { return set.fast; }
 Kernel<float, double> choose(const KernelSet& set, float, double) { return set.reference; }
 Kernel<double, double> choose(const KernelSet& set, double, double) { return set.reference64; }
+Kernel<float, double> choose(const DerivativeKernels& set, float) { return set.of_float; }
+Kernel<double, double> choose(const DerivativeKernels& set, double) { return set.of_double; }
+
+template <class In, class Out>
+Kernel<In, Out> kernel_of(const MaterialPart& part, const KernelTable& table) {
+  if constexpr (std::is_same_v<Out, double>) {
+    if (part.source == MaterialPart::Source::derivative)
+      return choose(table.derivatives[part.kernel], In());
+  }
+  return choose(part.kernels(table), In(), Out());
+}
 
 template <class In, class Out>
 std::uint8_t evaluate_run(const Material::Impl& material, const Batch<In, Out>& batch,
@@ -68,7 +80,7 @@ std::uint8_t evaluate_run(const Material::Impl& material, const Batch<In, Out>& 
     out.channel_stride = static_cast<std::size_t>(batch.values.channel_stride);
   }
   for (const MaterialPart& part : material.parts) {
-    choose(part.kernels(table), In(), Out())(part.constants.get(), in, out);
+    kernel_of<In, Out>(part, table)(part.constants.get(), in, out);
     out.accumulate = true;
   }
   if (!direct) copy_values(out.values, padded, material.channels, n, table, batch.values, begin);

@@ -13,6 +13,7 @@
 #include "engine/measured_kernel.h"
 #include "engine/packet_io.h"
 #include "models/all.h"
+#include "numeric/derivative.h"
 #include "numeric/number.h"
 #include "parts/geometry.h"
 
@@ -34,9 +35,9 @@ struct Block {
 
 // All channels of a block's packets, from pair `begin` on.
 template <bool kAccumulate, class N, class Kind>
-GONIO_INLINE void write(const Block<N, Kind>& block, const Constants<Kind>& constants,
-                        std::size_t begin, std::size_t packets,
-                        const KernelOutput<typename N::Out>& out) {
+GONIO_INLINE void write(const Block<N, Kind>& block,
+                        const Constants<Kind, typename N::WideScalar>& constants, std::size_t begin,
+                        std::size_t packets, const KernelOutput<typename N::Out>& out) {
   using Real = typename N::Real;
   const int channels = constants.channels;
   const std::size_t stride = out.channel_stride;
@@ -69,7 +70,7 @@ template <class N, class Kind, class In>
 template <class N, class Kind, class In>
 void analytic(const void* constants, const KernelInput<In>& in,
               const KernelOutput<typename N::Out>& out) {
-  const auto& given = *static_cast<const Constants<Kind>*>(constants);
+  const auto& given = *static_cast<const Constants<Kind, typename N::WideScalar>*>(constants);
   // A copy that no store can alias, so that it stays in registers.
   const auto shape = given.shape;
   Block<N, Kind> block;
@@ -104,11 +105,22 @@ constexpr KernelSet kernel_set() {
           &analytic<Reference, Kind, double>};
 }
 
+template <class Kind>
+constexpr DerivativeKernels derivative_kernels() {
+  return {&analytic<Derivative, Kind, float>, &analytic<Derivative, Kind, double>};
+}
+
 template <class... Kinds>
 constexpr std::array<KernelSet, sizeof...(Kinds)> kernel_sets(TypeList<Kinds...>) {
   return {kernel_set<Kinds>()...};
 }
 
+template <class... Kinds>
+constexpr std::array<DerivativeKernels, sizeof...(Kinds)> all_derivatives(TypeList<Kinds...>) {
+  return {derivative_kernels<Kinds>()...};
+}
+
+constexpr auto kDerivatives = all_derivatives(AllKinds{});
 constexpr auto kAnalytic = kernel_sets(AllKinds{});
 
 template <class T>
@@ -144,6 +156,7 @@ extern const KernelTable kKernels;  // NOLINT(readability-redundant-declaration)
 const KernelTable kKernels{
     .width = raw::kWidth,
     .analytic = kAnalytic.data(),
+    .derivatives = kDerivatives.data(),
     .measured_linear = {&measured<Fast, true, float>, &measured<Reference, true, float>,
                         &measured<Reference, true, double>},
     .measured_nearest = {&measured<Fast, false, float>, &measured<Reference, false, float>,

@@ -49,6 +49,8 @@ struct OrenNayar {
                 .unit = "1",
                 .kind = Kind::word,
                 .words = kForms}};
+  static constexpr std::string_view kNote =
+      "full form, where it crosses 0: four roundings of rd and sigma";
   static constexpr ModelDescription kDescription{
       .name = "oren_nayar",
       .summary = "rough diffuse reflection of V-shaped facets",
@@ -58,8 +60,6 @@ struct OrenNayar {
       .fast = {.relative = 3e-6, .note = kNote},
       .reference = {.relative = 3e-11, .note = kNote},
       .albedo_limit = 1.05};
-  static constexpr std::string_view kNote =
-      "full form, where it crosses 0: four roundings of rd and sigma";
 
   template <class S>
   struct Channel {
