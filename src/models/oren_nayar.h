@@ -15,7 +15,7 @@
 // Stable forms: cos(dphi) sin(alpha) tan(beta) = (wi.wo - n.wi n.wo) / max(n.wi, n.wo);
 // tan((alpha + beta)/2) = (sin(alpha) + sin(beta)) / (cos(alpha) + cos(beta)); sin(alpha) -
 // (2 beta/pi)^3 from the complement u = 1 - 2 beta/pi, or at grazing tan(beta) would meet a
-// difference of ones.
+// difference of ones; 1 - |cos(dphi)| from the sine of dphi.
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ struct OrenNayar {
       .parameters = kParameters,
       .fast = {.relative = 3e-6, .note = kNote},
       .reference = {.relative = 3e-11, .note = kNote},
-      .albedo_limit = 1.05};
+      .albedo_limit = 1.06};
 
   template <class S>
   struct Channel {
@@ -87,7 +87,7 @@ struct OrenNayar {
   // What both forms take of a pair.
   template <class N>
   struct Stage {
-    typename N::Wide across;            // cos(dphi) sin(alpha) sin(beta)
+    typename N::Wide across, turned;    // cos(dphi) and sin(dphi), times sin(alpha) sin(beta)
     typename N::Wide sine2_i, sine2_o;  // squares of the sines
     typename N::Wide cos_i, cos_o;
   };
@@ -95,8 +95,11 @@ struct OrenNayar {
   template <class N>
   static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>&, const Geometry<N>& g) {
     return {sum_of_products(g.wi.x, g.wo.x, g.wi.y, g.wo.y),
+            sum_of_products(g.wi.x, g.wo.y, -g.wi.y, g.wo.x),
             sum_of_products(g.wi.x, g.wi.x, g.wi.y, g.wi.y),
-            sum_of_products(g.wo.x, g.wo.x, g.wo.y, g.wo.y), g.wi.z, g.wo.z};
+            sum_of_products(g.wo.x, g.wo.x, g.wo.y, g.wo.y),
+            g.wi.z,
+            g.wo.z};
   }
 
   struct Full;
@@ -171,13 +174,15 @@ struct OrenNayar::Full : OrenNayar::Short {
     const Wide ua = Wide(kTwoOverPi) * N::angle(cos_a, sin_a),
                ub = Wide(kTwoOverPi) * N::angle(cos_b, sin_b);
     const Wide va = Wide(1) - ua, vb = Wide(1) - ub;
-    const Wide ratio = s.across / max(sin_a * sin_b, Wide(1e-30));
-    const Wide cos_phi = max(min(ratio, Wide(1)), Wide(-1));
+    const Wide sines = max(sin_a * sin_b, Wide(1e-30)), size = max(s.across, -s.across);
+    const Wide cos_phi = max(min(s.across / sines, Wide(1)), Wide(-1));
+    // 1 - |cos(dphi)|
+    const Wide to_side = min(s.turned * s.turned / (sines * (sines + size)), Wide(1));
     const Wide difference =
         ub * (Wide(3) - ub * (Wide(3) - ub)) - cos_a * cos_a / (Wide(1) + sin_a);
     const Wide forward = cos_phi * sin_b * difference / cos_b;
     const Wide second = select(s.across < Wide(0), forward, s.across / cos_b);
-    const Wide product = va * vb, to_side = Wide(1) - max(cos_phi, -cos_phi);
+    const Wide product = va * vb;
     const Wide third = to_side * (product * product) * ((sin_a + sin_b) / (cos_a + cos_b));
     return {N::real(Wide(k.c1) + sum_of_products(Wide(k.c2), second, Wide(k.c3), third)),
             N::real(Wide(1) - cos_phi * (vb * vb))};

@@ -23,8 +23,8 @@ struct Dual {
   GONIO_INLINE Dual(T value, T derivative) : v(value), d(derivative) {}
   // A material's constant, in all lanes of a packet.
   template <class Number>
-    requires(!std::is_same_v<Number, T>)
-  explicit GONIO_INLINE Dual(const Dual<Number>& x) : v(x.v), d(x.d) {}
+  requires(!std::is_same_v<Number, T>) explicit GONIO_INLINE Dual(const Dual<Number>& x)
+      : v(x.v), d(x.d) {}
 
   // What does not depend on any parameter.
   static GONIO_INLINE Dual constant(T x) { return Dual(x, T(0)); }
