@@ -17,6 +17,13 @@ enum class Role : std::uint8_t {
   measured,  // stands alone: a table
 };
 
+// A word that may stand in the place of a parameter's numbers.
+struct PresetInfo {
+  std::string name;
+  std::vector<double> values;  // one per channel: linear red, green, blue
+  std::string source;          // publication, and what the channels stand for
+};
+
 struct ParameterInfo {
   std::string name;
   std::string meaning;
@@ -32,6 +39,8 @@ struct ParameterInfo {
   // is not given is the first one that all the given numbers can be used with.
   std::string used_with;
   std::vector<std::string> used_with_words;
+  std::vector<PresetInfo> presets;
+  std::string preset_partner;  // what must be given too where this is a preset; empty: nothing
 };
 
 struct ModelInfo {

@@ -1,19 +1,11 @@
 #include "engine/lobe_check.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include "engine/registry.h"
 
 namespace gonio {
 namespace {
-
-std::string text_of(double number) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof(buffer), number).ptr;
-  return {buffer, end};
-}
 
 std::string joined(std::span<const std::string_view> words, std::string_view separator = ", ") {
   std::string all;
@@ -45,41 +37,6 @@ Outcome check_names(const ModelDescription& model, const NamedLobe& lobe) {
     }
   }
   return Ok{};
-}
-
-Outcome check_length(const std::string& field, const Parameter& p, std::size_t length,
-                     ChannelCount& channels) {
-  const auto count = static_cast<std::size_t>(channels.count);
-  if (length == 1) return Ok{};
-  const std::string given = std::to_string(length) + " numbers";
-  if (p.kind != Kind::colour) return bad_value(field, given, "one number");
-  if (length == 0) return bad_value(field, "empty", "one number, or one per channel");
-  if (length > static_cast<std::size_t>(kMaxChannels)) {
-    return bad_value(field, given, "at most " + std::to_string(kMaxChannels) + " channels");
-  }
-  if (count != 1 && length != count) {
-    return bad_value(field, given,
-                     "1 or " + std::to_string(count) + ", as " + channels.set_by + " has");
-  }
-  channels = {static_cast<int>(length), field};
-  return Ok{};
-}
-
-Result<std::vector<double>> check_numbers(const std::string& field, const Parameter& p,
-                                          const ParameterValue& given, ChannelCount& channels) {
-  const auto* numbers = std::get_if<std::vector<double>>(&given);
-  const std::string bounds = "[" + text_of(p.lower) + ", " + text_of(p.upper) + "]";
-  if (numbers == nullptr)
-    return bad_value(field, '"' + std::get<std::string>(given) + '"', "a number in " + bounds);
-  if (Outcome length = check_length(field, p, numbers->size(), channels); !length)
-    return length.error();
-  for (std::size_t i = 0; i < numbers->size(); ++i) {
-    const double number = (*numbers)[i];
-    if (number >= p.lower && number <= p.upper) continue;  // false for NaN
-    return bad_value(numbers->size() == 1 ? field : field + "[" + std::to_string(i) + "]",
-                     text_of(number), bounds);
-  }
-  return *numbers;
 }
 
 // The place of a word among those allowed.
@@ -148,6 +105,15 @@ Outcome check_choice(const NamedLobe& lobe, const Parameter& p, CheckedLobe& che
   return check_use(lobe, users, p.words[word]);
 }
 
+// What the preset of `p` needs beside it.
+Outcome check_partner(const NamedLobe& lobe, const Parameter& p, const ParameterValue& given) {
+  const auto* preset = std::get_if<std::string>(&given);
+  if (preset == nullptr || p.preset_partner.empty()) return Ok{};
+  if (find(*lobe.spec, p.preset_partner) != nullptr) return Ok{};
+  return bad_value(lobe.prefix + "parameters." + std::string(p.preset_partner), "not given",
+                   '"' + *preset + "\", as for " + std::string(p.name) + ", or numbers");
+}
+
 Outcome check_parameter(const NamedLobe& lobe, const Parameter& p, CheckedLobe& checked,
                         ChannelCount& channels) {
   if (p.kind == Kind::word) return check_choice(lobe, p, checked);
@@ -156,6 +122,7 @@ Outcome check_parameter(const NamedLobe& lobe, const Parameter& p, CheckedLobe& 
   const std::string field = lobe.prefix + "parameters." + std::string(p.name);
   Result<std::vector<double>> numbers = check_numbers(field, p, *given, channels);
   if (!numbers) return numbers.error();
+  if (Outcome partner = check_partner(lobe, p, *given); !partner) return partner;
   return checked.values.set(p.name, std::move(numbers).value()), Ok{};
 }
 

@@ -2,6 +2,7 @@
 // `gonio models`, the documentation and the fitter's bounds all read it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -28,6 +29,13 @@ struct UsedWith {
   std::span<const std::string_view> words = {};
 };
 
+// A word that may stand in the place of a colour's numbers.
+struct Preset {
+  std::string_view name;
+  std::array<double, 3> rgb;  // linear
+  std::string_view source;    // publication, and what the channels stand for
+};
+
 struct Parameter {
   std::string_view name;
   std::string_view meaning;
@@ -41,6 +49,10 @@ struct Parameter {
   // given numbers can be used with.
   std::span<const std::string_view> words = {};
   UsedWith used_with = {};
+  std::span<const Preset> presets = {};  // for Kind::colour only
+  // What must be given too where this is a preset: with half of its complex index, and the other
+  // half's default, a conductor would be another substance.
+  std::string_view preset_partner = {};
 };
 
 // |f - truth| <= relative * truth wherever truth > above and both n.wi and n.wo > cosine, truth

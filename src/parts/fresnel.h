@@ -15,6 +15,7 @@
 #include "models/parameter_values.h"
 #include "numeric/inline.h"
 #include "parts/geometry.h"
+#include "parts/presets.h"
 
 namespace gonio::fresnel {
 
@@ -38,7 +39,8 @@ inline constexpr Parameter kF0{.name = "f0",
                                .upper = 1,
                                .start = 0.04,
                                .kind = Kind::colour,
-                               .used_with = {"fresnel", kSchlickOnly}};
+                               .used_with = {"fresnel", kSchlickOnly},
+                               .presets = presets::kReflectance};
 inline constexpr Parameter kEta{.name = "eta",
                                 .meaning = "refractive index relative to the outside",
                                 .unit = "1",
@@ -47,7 +49,9 @@ inline constexpr Parameter kEta{.name = "eta",
                                 .start = 1.5,
                                 .scale = Scale::logarithmic,
                                 .kind = Kind::colour,
-                                .used_with = {"fresnel", kIndexed}};
+                                .used_with = {"fresnel", kIndexed},
+                                .presets = presets::kIndex,
+                                .preset_partner = "k"};
 inline constexpr Parameter kK{.name = "k",
                               .meaning = "extinction coefficient",
                               .unit = "1",
@@ -55,7 +59,9 @@ inline constexpr Parameter kK{.name = "k",
                               .upper = 100,
                               .start = 0,
                               .kind = Kind::colour,
-                              .used_with = {"fresnel", kConductorOnly}};
+                              .used_with = {"fresnel", kConductorOnly},
+                              .presets = presets::kExtinction,
+                              .preset_partner = "eta"};
 
 // F = 1.
 struct None {
