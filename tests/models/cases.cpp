@@ -207,12 +207,11 @@ std::vector<Case> phong_mix_cases() {
 std::vector<Case> oren_nayar_cases() {
   std::vector<Case> cases;
   for (const std::string form : {"full", "short"}) {
-    for (const double sigma : {0.3, 0.0, 1e-3, 0.1, 0.7, 0.8, 1.2, 1.5707963267948966}) {
-      for (const Colour& rd : {Colour{0.5}, Colour{1}, Colour{0.01, 0.1, 0.9}}) {
-        cases.push_back(
-            {form + " sigma " + text(sigma) + " rd " + text(rd[0]), Sharpness::smooth,
-             alone("oren_nayar", {{"form", form}, {"sigma", number(sigma)}, {"rd", rd}})});
-      }
+    for (const double sigma : {0.3, 0.0, 1e-3, 0.7, 0.8, 1.5707963267948966}) {
+      cases.push_back(
+          {form + " sigma " + text(sigma), Sharpness::smooth,
+           alone("oren_nayar",
+                 {{"form", form}, {"sigma", number(sigma)}, {"rd", Colour{0.01, 0.5, 1}}})});
     }
   }
   return cases;

@@ -107,11 +107,6 @@ Real Oracle<Real>::without_fresnel(const Lobe& lobe, const Pair& pair) {
 template <class Real>
 Real Oracle<Real>::channel(const Lobe& lobe, const Pair& pair, Real shared, std::size_t c) {
   if (lobe.model == "lambertian") return lobe.at("rd", c) / pi<Real>();
-  if (lobe.model == "oren_nayar") {
-    const Real rd = lobe.at("rd", c);
-    const auto facets = oren_nayar(pair.wi, pair.wo, lobe.at("sigma"), lobe.full);
-    return std::max(Real(0), rd / pi<Real>() * (facets.once + rd * facets.twice));
-  }
   if (lobe.model == "ashikhmin_shirley") {
     const Real rs = lobe.at("rs", c), diffuse = coupled_diffuse(pair.wi.z, pair.wo.z);
     return lobe.at("scale", c) * shared * schlick(pair.hk, rs) +
@@ -123,8 +118,15 @@ Real Oracle<Real>::channel(const Lobe& lobe, const Pair& pair, Real shared, std:
 
 template <class Real>
 void Oracle<Real>::add(const Lobe& lobe, const Pair& pair, std::span<Real> f) {
-  const bool diffuse = lobe.model == "lambertian" || lobe.model == "oren_nayar";
-  const Real shared = diffuse ? Real(0) : without_fresnel(lobe, pair);
+  if (lobe.model == "oren_nayar") {
+    const auto facets = oren_nayar(pair.wi, pair.wo, lobe.at("sigma"), lobe.full);
+    for (std::size_t c = 0; c < f.size(); ++c) {
+      const Real rd = lobe.at("rd", c);
+      f[c] += std::max(Real(0), rd / pi<Real>() * (facets.once + rd * facets.twice));
+    }
+    return;
+  }
+  const Real shared = lobe.model == "lambertian" ? Real(0) : without_fresnel(lobe, pair);
   for (std::size_t c = 0; c < f.size(); ++c) f[c] += channel(lobe, pair, shared, c);
 }
 
