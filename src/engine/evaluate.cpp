@@ -15,7 +15,7 @@
 namespace gonio {
 namespace {
 
-constexpr std::size_t kScratchValues = 2048;  // fits the first-level cache beside the directions
+constexpr std::size_t kScratchValues = 8192;  // a kernel's block of the most channels
 constexpr std::size_t kAlignment = 64;
 constexpr std::size_t kGrain = 16;           // pairs of the widest packet
 constexpr std::size_t kSmallestTile = 1024;  // pairs worth handing to another thread that is awake
@@ -106,14 +106,16 @@ std::uint8_t evaluate_span(const Material& material, const Batch<In, Out>& batch
   const Material::Impl& impl = material.impl();
   const std::size_t by_channels =
       kScratchValues / static_cast<std::size_t>(impl.channels) / kGrain * kGrain;
-  const std::size_t run = std::min(kRun, by_channels);
+  // Only results that are copied need room in between.
+  const std::size_t run = batch.values.pair_stride == 1 ? kRun : std::min(kRun, by_channels);
   const bool uncopied = batch.wi.stride == 1 && batch.wo.stride == 1;
   const FlushToZero flush;
   std::uint8_t any = 0;
   for (std::size_t at = begin, n = 0; at < end; at += n) {
     const std::size_t lead = pairs_to_alignment(batch.values, at), left = end - at;
     n = std::min(lead > 0 ? lead : run, left);
-    if (uncopied && n > kGrain) n = n / kGrain * kGrain;  // then the rest, which is padded
+    // What is no whole number of packets is padded, in a copy: so the rest comes by itself.
+    if (n > kGrain && (uncopied || n > by_channels)) n = n / kGrain * kGrain;
     any = static_cast<std::uint8_t>(any | evaluate_run(impl, batch, at, n, table));
   }
   return any;

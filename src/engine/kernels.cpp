@@ -33,25 +33,42 @@ struct Block {
   typename Kind::template Terms<N> terms[kBlock];
 };
 
+// One channel of a packet.
+template <bool kAccumulate, class N, class Kind>
+GONIO_INLINE void write_value(const Block<N, Kind>& block, std::size_t p,
+                              const Constants<Kind, typename N::WideScalar>& constants, int c,
+                              typename N::Out* to) {
+  using Real = typename N::Real;
+  const Real value = Kind::template value<N>(block.terms[p], constants.wide[c],
+                                             constants.template channel<typename N::RealScalar>(c));
+  Real result = select(block.valid[p], min(N::largest(), value), Real(0));
+  if constexpr (kAccumulate) result = min(N::largest(), result + Real::load(to));
+  result.store(to);
+}
+
+// More channels than this are written one after the other, not packet by packet: so many streams at
+// once, mostly a power of two apart, would push each other out of the cache.
+constexpr int kFewChannels = 4;
+
 // All channels of a block's packets, from pair `begin` on.
 template <bool kAccumulate, class N, class Kind>
 GONIO_INLINE void write(const Block<N, Kind>& block,
                         const Constants<Kind, typename N::WideScalar>& constants, std::size_t begin,
                         std::size_t packets, const KernelOutput<typename N::Out>& out) {
-  using Real = typename N::Real;
   const int channels = constants.channels;
   const std::size_t stride = out.channel_stride;
   typename N::Out* packet = out.values + begin;
+  if (channels > kFewChannels) {
+    for (int c = 0; c < channels; ++c, packet += stride) {
+      for (std::size_t p = 0; p < packets; ++p)
+        write_value<kAccumulate>(block, p, constants, c, packet + p * raw::kWidth);
+    }
+    return;
+  }
   for (std::size_t p = 0; p < packets; ++p, packet += raw::kWidth) {
-    const auto terms = block.terms[p];
-    const auto valid = block.valid[p];
     typename N::Out* to = packet;
     for (int c = 0; c < channels; ++c, to += stride) {
-      const Real value = Kind::template value<N>(
-          terms, constants.wide[c], constants.template channel<typename N::RealScalar>(c));
-      Real result = select(valid, min(N::largest(), value), Real(0));
-      if constexpr (kAccumulate) result = min(N::largest(), result + Real::load(to));
-      result.store(to);
+      write_value<kAccumulate>(block, p, constants, c, to);
       __builtin_prefetch(to + kAheadOfWriting);
     }
   }
