@@ -24,15 +24,25 @@ Role role_of(gonio::v1::ModelRole role) {
 }
 
 ParameterInfo parameter_of(const gonio::v1::Parameter& parameter) {
-  return {parameter.name(),
-          parameter.meaning(),
-          parameter.unit(),
-          parameter.lower(),
-          parameter.upper(),
-          parameter.start(),
-          parameter.logarithmic(),
-          parameter.colour(),
-          {parameter.words().begin(), parameter.words().end()}};
+  ParameterInfo info;
+  info.name = parameter.name();
+  info.meaning = parameter.meaning();
+  info.unit = parameter.unit();
+  info.lower = parameter.lower();
+  info.upper = parameter.upper();
+  info.start = parameter.start();
+  info.logarithmic = parameter.logarithmic();
+  info.colour = parameter.colour();
+  info.words.assign(parameter.words().begin(), parameter.words().end());
+  info.used_with = parameter.used_with();
+  info.used_with_words.assign(parameter.used_with_words().begin(),
+                              parameter.used_with_words().end());
+  for (const auto& preset : parameter.presets()) {
+    info.presets.push_back(
+        {preset.name(), {preset.values().begin(), preset.values().end()}, preset.source()});
+  }
+  info.preset_partner = parameter.preset_partner();
+  return info;
 }
 
 ModelInfo model_of(const gonio::v1::Model& model) {
@@ -45,6 +55,7 @@ ModelInfo model_of(const gonio::v1::Model& model) {
     info.parameters.push_back(parameter_of(parameter));
   info.fast = error_bound_of(model.fast());
   info.reference = error_bound_of(model.reference());
+  info.albedo_limit = model.albedo_limit();
   return info;
 }
 

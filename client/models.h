@@ -17,6 +17,13 @@ enum class Role : std::uint8_t {
   measured,  // stands alone: a table
 };
 
+// A word that may stand in the place of a parameter's numbers.
+struct PresetInfo {
+  std::string name;
+  std::vector<double> values;  // one per channel: linear red, green, blue
+  std::string source;          // publication, and what the channels stand for
+};
+
 struct ParameterInfo {
   std::string name;
   std::string meaning;
@@ -26,8 +33,14 @@ struct ParameterInfo {
   double start = 0;          // taken when the parameter is not given
   bool logarithmic = false;  // vary it on a logarithmic scale
   bool colour = false;       // one number, or one per channel
-  std::vector<std::string>
-      words;  // for a word: those allowed, the default first; bounds do not apply
+  // For a word: those allowed, the default first; bounds do not apply.
+  std::vector<std::string> words;
+  // For a number that has a meaning only with some words of another parameter: which. A word that
+  // is not given is the first one that all the given numbers can be used with.
+  std::string used_with;
+  std::vector<std::string> used_with_words;
+  std::vector<PresetInfo> presets;
+  std::string preset_partner;  // what must be given too where this is a preset; empty: nothing
 };
 
 struct ModelInfo {
@@ -38,6 +51,7 @@ struct ModelInfo {
   std::vector<ParameterInfo> parameters;
   ErrorBound fast;
   ErrorBound reference;
+  double albedo_limit = 1;  // the largest albedo over all directions, colours and scale at most 1
 };
 
 struct Catalogue {

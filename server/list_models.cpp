@@ -22,6 +22,12 @@ v1::ModelRole to_wire(Role role) {
   return v1::MODEL_ROLE_UNSPECIFIED;
 }
 
+void fill(const Preset& from, v1::Preset& to) {
+  to.set_name(std::string(from.name));
+  to.mutable_values()->Assign(from.rgb.begin(), from.rgb.end());
+  to.set_source(std::string(from.source));
+}
+
 void fill(const Parameter& from, v1::Parameter& to) {
   to.set_name(std::string(from.name));
   to.set_meaning(std::string(from.meaning));
@@ -32,6 +38,10 @@ void fill(const Parameter& from, v1::Parameter& to) {
   to.set_logarithmic(from.scale == Scale::logarithmic);
   to.set_colour(from.kind == Kind::colour);
   for (std::string_view word : from.words) to.add_words(std::string(word));
+  to.set_used_with(std::string(from.used_with.parameter));
+  for (std::string_view word : from.used_with.words) to.add_used_with_words(std::string(word));
+  for (const Preset& preset : from.presets) fill(preset, *to.add_presets());
+  to.set_preset_partner(std::string(from.preset_partner));
 }
 
 void fill(const ModelDescription& from, v1::Model& to) {
@@ -40,6 +50,7 @@ void fill(const ModelDescription& from, v1::Model& to) {
   to.set_source(std::string(from.source));
   to.set_role(to_wire(from.role));
   for (const Parameter& parameter : from.parameters) fill(parameter, *to.add_parameters());
+  to.set_albedo_limit(from.albedo_limit);
   *to.mutable_fast() = wire::to_wire(from.fast);
   *to.mutable_reference() = wire::to_wire(from.reference);
 }

@@ -21,6 +21,7 @@ constexpr const char* kFooter = R"(
 Examples:
   gonio models                        what there is
   gonio models ggx                    one model's manual page
+  gonio models --presets              substances by name
   gonio evaluate --material '{"model": "lambertian", "parameters": {"rd": 0.5}}' \
       --grid theta_i=30,theta_o=0:80:9 --deg
   gonio evaluate --material gold.json --pairs pairs.csv -o values.npy -v

@@ -1,31 +1,15 @@
 #include "client/cli/model_page.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <vector>
 
 #include "client/cli/numbers.h"
 #include "client/cli/summary.h"
+#include "client/cli/text.h"
 
 namespace gonio::cli {
 namespace {
-
-constexpr std::size_t kPageWidth = 96;
-
-std::string_view role_word(client::Role role) {
-  switch (role) {
-    case client::Role::diffuse:
-      return "diffuse";
-    case client::Role::specular:
-      return "specular";
-    case client::Role::measured:
-      return "measured";
-    case client::Role::unknown:
-      break;
-  }
-  return "unknown";
-}
 
 std::string_view role_meaning(client::Role role) {
   switch (role) {
@@ -41,41 +25,6 @@ std::string_view role_meaning(client::Role role) {
   return "unknown to this version of gonio";
 }
 
-std::string padded(std::string_view text, std::size_t width) {
-  std::string result(text);
-  result.resize(std::max(result.size() + 1, width), ' ');
-  return result;
-}
-
-// Breaks `text` into lines that start at column `indent`; the first one is already there.
-std::string wrapped(std::string_view text, std::size_t indent) {
-  std::string result;
-  std::size_t column = indent;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    if (column > indent && column + 1 + end > kPageWidth) {
-      result += '\n' + std::string(indent, ' ');
-      column = indent;
-    } else if (column > indent) {
-      result += ' ';
-      ++column;
-    }
-    result += text.substr(0, end);
-    column += end;
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return result;
-}
-
-std::string joined(const std::vector<std::string>& words, std::string_view separator) {
-  std::string text;
-  for (const std::string& word : words) {
-    if (!text.empty()) text += separator;
-    text += word;
-  }
-  return text;
-}
-
 std::string value_text(const client::ParameterInfo& parameter) {
   if (!parameter.words.empty()) {
     return "one of " + joined(parameter.words, ", ") + "; default " + parameter.words.front();
@@ -85,17 +34,42 @@ std::string value_text(const client::ParameterInfo& parameter) {
   if (parameter.unit == "rad") text += " radians";
   if (parameter.unit != "rad" && parameter.unit != "1") text += " " + parameter.unit;
   text += "; default " + shortest(parameter.start);
+  if (!parameter.used_with.empty()) {
+    text += "; with " + parameter.used_with + " " + joined(parameter.used_with_words, " or ");
+  }
+  if (!parameter.presets.empty()) {
+    std::vector<std::string> names;
+    for (const auto& preset : parameter.presets) names.push_back(preset.name);
+    text += "; or one of " + joined(names, ", ");
+    if (!parameter.preset_partner.empty())
+      text += ", with " + parameter.preset_partner + " given too";
+  }
   if (parameter.logarithmic) text += "; best varied on a logarithmic scale";
   return text;
 }
 
-// Every parameter at its default, but for Fresnel's, which exclude each other: with f0 alone it is
-// Schlick's.
+// The word of `parameter.used_with` that an example takes: that of the first number that needs one.
+std::string example_word(const client::ModelInfo& model, const std::string& choice) {
+  for (const client::ParameterInfo& parameter : model.parameters) {
+    if (parameter.used_with == choice) return parameter.used_with_words.front();
+  }
+  return {};
+}
+
+bool excluded(const client::ModelInfo& model, const client::ParameterInfo& parameter) {
+  const auto& words = parameter.used_with_words;
+  if (words.empty()) return false;
+  const std::string word = example_word(model, parameter.used_with);
+  return std::find(words.begin(), words.end(), word) == words.end();
+}
+
+// Every parameter at its default, but for those that exclude each other, of which it has the first;
+// the word that chooses between them follows from that.
 std::string example_json(const client::ModelInfo& model) {
-  constexpr std::array<std::string_view, 3> kLeftOut = {"fresnel", "eta", "k"};
   std::vector<std::string> parts;
   for (const client::ParameterInfo& parameter : model.parameters) {
-    if (std::count(kLeftOut.begin(), kLeftOut.end(), parameter.name) != 0) continue;
+    if (!example_word(model, parameter.name).empty()) continue;
+    if (excluded(model, parameter)) continue;
     const std::string value =
         parameter.words.empty() ? shortest(parameter.start) : "\"" + parameter.words.front() + "\"";
     parts.push_back("\"" + parameter.name + "\": " + value);
@@ -114,6 +88,20 @@ std::string example(const client::ModelInfo& model) {
 
 }  // namespace
 
+std::string_view role_word(client::Role role) {
+  switch (role) {
+    case client::Role::diffuse:
+      return "diffuse";
+    case client::Role::specular:
+      return "specular";
+    case client::Role::measured:
+      return "measured";
+    case client::Role::unknown:
+      break;
+  }
+  return "unknown";
+}
+
 std::string model_table(const client::Catalogue& catalogue) {
   std::size_t width = 6;
   for (const auto& model : catalogue.models) width = std::max(width, model.name.size());
@@ -131,7 +119,9 @@ std::string model_table(const client::Catalogue& catalogue) {
   text += "\nStored materials: ";
   text += catalogue.materials.empty() ? "none" : wrapped(joined(catalogue.materials, ", "), 18);
   text += "\nInstruction sets: " + joined(sets, ", ");
-  return text + "\n\n'gonio models NAME' describes one model.\n";
+  return text +
+         "\n\n'gonio models NAME' describes one model, 'gonio models --presets' lists named "
+         "values.\n";
 }
 
 std::string model_page(const client::ModelInfo& model) {

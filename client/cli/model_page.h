@@ -2,10 +2,13 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "client/models.h"
 
 namespace gonio::cli {
+
+std::string_view role_word(client::Role role);
 
 // One line a model, the stored materials, the processor's instruction sets.
 std::string model_table(const client::Catalogue& catalogue);

@@ -6,8 +6,10 @@
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
 #include "client/cli/exit_codes.h"
+#include "client/cli/markdown.h"
 #include "client/cli/model_page.h"
 #include "client/cli/output_file.h"
+#include "client/cli/presets.h"
 
 namespace gonio::cli {
 namespace {
@@ -15,7 +17,7 @@ namespace {
 struct Arguments {
   ConnectionOptions connection;
   std::string name;
-  bool json = false;
+  bool json = false, presets = false, markdown = false;
 };
 
 Result<std::string> text_for(const client::Client& client, const Arguments& arguments) {
@@ -26,15 +28,16 @@ Result<std::string> text_for(const client::Client& client, const Arguments& argu
   }
   auto catalogue = client.list_models(arguments.name);
   if (!catalogue) return catalogue.error();
-  if (arguments.name.empty()) return model_table(*catalogue);
-  if (catalogue->models.empty()) {
+  if (!arguments.name.empty() && catalogue->models.empty()) {
     return Error{ErrorCode::not_found,
                  "there is no model '" + arguments.name + "'",
                  "name",
                  arguments.name,
                  {}};
   }
-  return model_page(catalogue->models.front());
+  if (arguments.presets) return preset_table(*catalogue);
+  if (arguments.markdown) return markdown(*catalogue);
+  return arguments.name.empty() ? model_table(*catalogue) : model_page(catalogue->models.front());
 }
 
 int run(const Arguments& arguments) {
@@ -56,8 +59,16 @@ Command add_models_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("models", "List the models and stored materials, or describe one model");
   command->add_option("NAME", arguments->name, "The model to describe")->type_name("");
-  command->add_flag("--json", arguments->json,
-                    "Print JSON (gonio.v1.ListModelsResponse) instead of text");
+  CLI::Option* json = command->add_flag("--json", arguments->json,
+                                        "Print JSON (gonio.v1.ListModelsResponse) instead of text");
+  CLI::Option* presets = command->add_flag("--presets", arguments->presets,
+                                           "List the names that may stand in the place of numbers");
+  command
+      ->add_flag("--markdown", arguments->markdown,
+                 "Print models, parameters and presets as Markdown tables")
+      ->excludes(json)
+      ->excludes(presets);
+  presets->excludes(json);
   add_connection_options(*command, arguments->connection);
   return {command, [arguments] { return run(*arguments); }};
 }

@@ -10,14 +10,16 @@
 
 namespace gonio {
 
-template <class Kind>
+// S is double, or Dual<double> for derivatives.
+template <class Kind, class S = double>
 struct Constants {
-  typename Kind::template Shape<double> shape;
+  static constexpr bool kForFloat = std::is_same_v<S, double>;
+  typename Kind::template Shape<S> shape;
   int channels;
-  // The same numbers twice: float32 arithmetic takes its constants from memory without a
+  typename Kind::template Channel<S> wide[kMaxChannels];
+  // The same numbers again: float32 arithmetic takes its constants from memory without a
   // conversion.
-  typename Kind::template Channel<double> wide[kMaxChannels];
-  typename Kind::template Channel<float> real[kMaxChannels];
+  typename Kind::template Channel<float> real[kForFloat ? kMaxChannels : 1];
 
   template <class Scalar>
   GONIO_INLINE const auto& channel(int c) const {

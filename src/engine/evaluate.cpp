@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cassert>
 #include <cstdint>
+#include <type_traits>
 
 #include "engine/layout.h"
 #include "engine/material_impl.h"
@@ -14,7 +15,7 @@
 namespace gonio {
 namespace {
 
-constexpr std::size_t kScratchValues = 2048;  // fits the first-level cache beside the directions
+constexpr std::size_t kScratchValues = 8192;  // a kernel's block of the most channels
 constexpr std::size_t kAlignment = 64;
 constexpr std::size_t kGrain = 16;           // pairs of the widest packet
 constexpr std::size_t kSmallestTile = 1024;  // pairs worth handing to another thread that is awake
@@ -48,6 +49,17 @@ struct OutputScratch {
 Kernel<float, float> choose(const KernelSet& set, float, float) { return set.fast; }
 Kernel<float, double> choose(const KernelSet& set, float, double) { return set.reference; }
 Kernel<double, double> choose(const KernelSet& set, double, double) { return set.reference64; }
+Kernel<float, double> choose(const DerivativeKernels& set, float) { return set.of_float; }
+Kernel<double, double> choose(const DerivativeKernels& set, double) { return set.of_double; }
+
+template <class In, class Out>
+Kernel<In, Out> kernel_of(const MaterialPart& part, const KernelTable& table) {
+  if constexpr (std::is_same_v<Out, double>) {
+    if (part.source == MaterialPart::Source::derivative)
+      return choose(table.derivatives[part.kernel], In());
+  }
+  return choose(part.kernels(table), In(), Out());
+}
 
 template <class In, class Out>
 std::uint8_t evaluate_run(const Material::Impl& material, const Batch<In, Out>& batch,
@@ -68,7 +80,7 @@ std::uint8_t evaluate_run(const Material::Impl& material, const Batch<In, Out>& 
     out.channel_stride = static_cast<std::size_t>(batch.values.channel_stride);
   }
   for (const MaterialPart& part : material.parts) {
-    choose(part.kernels(table), In(), Out())(part.constants.get(), in, out);
+    kernel_of<In, Out>(part, table)(part.constants.get(), in, out);
     out.accumulate = true;
   }
   if (!direct) copy_values(out.values, padded, material.channels, n, table, batch.values, begin);
@@ -94,14 +106,16 @@ std::uint8_t evaluate_span(const Material& material, const Batch<In, Out>& batch
   const Material::Impl& impl = material.impl();
   const std::size_t by_channels =
       kScratchValues / static_cast<std::size_t>(impl.channels) / kGrain * kGrain;
-  const std::size_t run = std::min(kRun, by_channels);
+  // Only results that are copied need room in between.
+  const std::size_t run = batch.values.pair_stride == 1 ? kRun : std::min(kRun, by_channels);
   const bool uncopied = batch.wi.stride == 1 && batch.wo.stride == 1;
   const FlushToZero flush;
   std::uint8_t any = 0;
   for (std::size_t at = begin, n = 0; at < end; at += n) {
     const std::size_t lead = pairs_to_alignment(batch.values, at), left = end - at;
     n = std::min(lead > 0 ? lead : run, left);
-    if (uncopied && n > kGrain) n = n / kGrain * kGrain;  // then the rest, which is padded
+    // What is no whole number of packets is padded, in a copy: so the rest comes by itself.
+    if (n > kGrain && (uncopied || n > by_channels)) n = n / kGrain * kGrain;
     any = static_cast<std::uint8_t>(any | evaluate_run(impl, batch, at, n, table));
   }
   return any;

@@ -40,6 +40,12 @@ struct KernelSet {
   Kernel<double, double> reference64;
 };
 
+// The same for the derivative by the parameter that the constants were prepared for.
+struct DerivativeKernels {
+  Kernel<float, double> of_float;
+  Kernel<double, double> of_double;
+};
+
 // Between interleaved and separate components: n triples, and n pairs of `channels` values.
 template <class T>
 struct Layouts {
@@ -50,8 +56,9 @@ struct Layouts {
 
 // Everything that one instruction set offers.
 struct KernelTable {
-  int width;                  // lanes of a packet
-  const KernelSet* analytic;  // by kind, in the order of the registry's kinds
+  int width;                             // lanes of a packet
+  const KernelSet* analytic;             // by kind, in the order of the registry's kinds
+  const DerivativeKernels* derivatives;  // the same
   KernelSet measured_linear, measured_nearest;
   Layouts<float> layout32;
   Layouts<double> layout64;

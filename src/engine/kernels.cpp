@@ -13,6 +13,7 @@
 #include "engine/measured_kernel.h"
 #include "engine/packet_io.h"
 #include "models/all.h"
+#include "numeric/derivative.h"
 #include "numeric/number.h"
 #include "parts/geometry.h"
 
@@ -32,25 +33,42 @@ struct Block {
   typename Kind::template Terms<N> terms[kBlock];
 };
 
+// One channel of a packet.
+template <bool kAccumulate, class N, class Kind>
+GONIO_INLINE void write_value(const Block<N, Kind>& block, std::size_t p,
+                              const Constants<Kind, typename N::WideScalar>& constants, int c,
+                              typename N::Out* to) {
+  using Real = typename N::Real;
+  const Real value = Kind::template value<N>(block.terms[p], constants.wide[c],
+                                             constants.template channel<typename N::RealScalar>(c));
+  Real result = select(block.valid[p], min(N::largest(), value), Real(0));
+  if constexpr (kAccumulate) result = min(N::largest(), result + Real::load(to));
+  result.store(to);
+}
+
+// More channels than this are written one after the other, not packet by packet: so many streams at
+// once, mostly a power of two apart, would push each other out of the cache.
+constexpr int kFewChannels = 4;
+
 // All channels of a block's packets, from pair `begin` on.
 template <bool kAccumulate, class N, class Kind>
-GONIO_INLINE void write(const Block<N, Kind>& block, const Constants<Kind>& constants,
-                        std::size_t begin, std::size_t packets,
-                        const KernelOutput<typename N::Out>& out) {
-  using Real = typename N::Real;
+GONIO_INLINE void write(const Block<N, Kind>& block,
+                        const Constants<Kind, typename N::WideScalar>& constants, std::size_t begin,
+                        std::size_t packets, const KernelOutput<typename N::Out>& out) {
   const int channels = constants.channels;
   const std::size_t stride = out.channel_stride;
   typename N::Out* packet = out.values + begin;
+  if (channels > kFewChannels) {
+    for (int c = 0; c < channels; ++c, packet += stride) {
+      for (std::size_t p = 0; p < packets; ++p)
+        write_value<kAccumulate>(block, p, constants, c, packet + p * raw::kWidth);
+    }
+    return;
+  }
   for (std::size_t p = 0; p < packets; ++p, packet += raw::kWidth) {
-    const auto terms = block.terms[p];
-    const auto valid = block.valid[p];
     typename N::Out* to = packet;
     for (int c = 0; c < channels; ++c, to += stride) {
-      const Real value = Kind::template value<N>(
-          terms, constants.wide[c], constants.template channel<typename N::RealScalar>(c));
-      Real result = select(valid, min(N::largest(), value), Real(0));
-      if constexpr (kAccumulate) result = min(N::largest(), result + Real::load(to));
-      result.store(to);
+      write_value<kAccumulate>(block, p, constants, c, to);
       __builtin_prefetch(to + kAheadOfWriting);
     }
   }
@@ -69,7 +87,7 @@ template <class N, class Kind, class In>
 template <class N, class Kind, class In>
 void analytic(const void* constants, const KernelInput<In>& in,
               const KernelOutput<typename N::Out>& out) {
-  const auto& given = *static_cast<const Constants<Kind>*>(constants);
+  const auto& given = *static_cast<const Constants<Kind, typename N::WideScalar>*>(constants);
   // A copy that no store can alias, so that it stays in registers.
   const auto shape = given.shape;
   Block<N, Kind> block;
@@ -104,28 +122,23 @@ constexpr KernelSet kernel_set() {
           &analytic<Reference, Kind, double>};
 }
 
-// The sets of all kinds of all models, in the registry's order.
-template <class... Kinds, class... More>
-auto concatenate(TypeList<Kinds...>, TypeList<More...>) -> TypeList<Kinds..., More...>;
-
-template <class Done, class Models>
-struct AllKinds;
-template <class Done>
-struct AllKinds<Done, TypeList<>> {
-  using Type = Done;
-};
-template <class Done, class Model, class... Models>
-struct AllKinds<Done, TypeList<Model, Models...>> {
-  using Joined = decltype(concatenate(Done{}, typename Model::Kinds{}));
-  using Type = typename AllKinds<Joined, TypeList<Models...>>::Type;
-};
+template <class Kind>
+constexpr DerivativeKernels derivative_kernels() {
+  return {&analytic<Derivative, Kind, float>, &analytic<Derivative, Kind, double>};
+}
 
 template <class... Kinds>
 constexpr std::array<KernelSet, sizeof...(Kinds)> kernel_sets(TypeList<Kinds...>) {
   return {kernel_set<Kinds>()...};
 }
 
-constexpr auto kAnalytic = kernel_sets(AllKinds<TypeList<>, AllModels>::Type{});
+template <class... Kinds>
+constexpr std::array<DerivativeKernels, sizeof...(Kinds)> all_derivatives(TypeList<Kinds...>) {
+  return {derivative_kernels<Kinds>()...};
+}
+
+constexpr auto kDerivatives = all_derivatives(AllKinds{});
+constexpr auto kAnalytic = kernel_sets(AllKinds{});
 
 template <class T>
 void split(const T* __restrict xyz, std::size_t n, T* __restrict x, T* __restrict y,
@@ -160,6 +173,7 @@ extern const KernelTable kKernels;  // NOLINT(readability-redundant-declaration)
 const KernelTable kKernels{
     .width = raw::kWidth,
     .analytic = kAnalytic.data(),
+    .derivatives = kDerivatives.data(),
     .measured_linear = {&measured<Fast, true, float>, &measured<Reference, true, float>,
                         &measured<Reference, true, double>},
     .measured_nearest = {&measured<Fast, false, float>, &measured<Reference, false, float>,

@@ -1,24 +1,18 @@
 #include "engine/lobe_check.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include "engine/registry.h"
-#include "parts/fresnel.h"
 
 namespace gonio {
 namespace {
 
-std::string text_of(double number) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof(buffer), number).ptr;
-  return {buffer, end};
-}
-
-std::string joined(std::span<const std::string_view> words) {
+std::string joined(std::span<const std::string_view> words, std::string_view separator = ", ") {
   std::string all;
-  for (const std::string_view word : words) all += (all.empty() ? "" : ", ") + std::string(word);
+  for (const std::string_view word : words) {
+    if (!all.empty()) all += separator;
+    all += word;
+  }
   return all;
 }
 
@@ -45,41 +39,6 @@ Outcome check_names(const ModelDescription& model, const NamedLobe& lobe) {
   return Ok{};
 }
 
-Outcome check_length(const std::string& field, const Parameter& p, std::size_t length,
-                     ChannelCount& channels) {
-  const auto count = static_cast<std::size_t>(channels.count);
-  if (length == 1) return Ok{};
-  const std::string given = std::to_string(length) + " numbers";
-  if (p.kind != Kind::colour) return bad_value(field, given, "one number");
-  if (length == 0) return bad_value(field, "empty", "one number, or one per channel");
-  if (length > static_cast<std::size_t>(kMaxChannels)) {
-    return bad_value(field, given, "at most " + std::to_string(kMaxChannels) + " channels");
-  }
-  if (count != 1 && length != count) {
-    return bad_value(field, given,
-                     "1 or " + std::to_string(count) + ", as " + channels.set_by + " has");
-  }
-  channels = {static_cast<int>(length), field};
-  return Ok{};
-}
-
-Result<std::vector<double>> check_numbers(const std::string& field, const Parameter& p,
-                                          const ParameterValue& given, ChannelCount& channels) {
-  const auto* numbers = std::get_if<std::vector<double>>(&given);
-  const std::string bounds = "[" + text_of(p.lower) + ", " + text_of(p.upper) + "]";
-  if (numbers == nullptr)
-    return bad_value(field, '"' + std::get<std::string>(given) + '"', "a number in " + bounds);
-  if (Outcome length = check_length(field, p, numbers->size(), channels); !length)
-    return length.error();
-  for (std::size_t i = 0; i < numbers->size(); ++i) {
-    const double number = (*numbers)[i];
-    if (number >= p.lower && number <= p.upper) continue;  // false for NaN
-    return bad_value(numbers->size() == 1 ? field : field + "[" + std::to_string(i) + "]",
-                     text_of(number), bounds);
-  }
-  return *numbers;
-}
-
 // The place of a word among those allowed.
 Result<std::size_t> check_word(const std::string& field, const Parameter& p,
                                const ParameterValue& given) {
@@ -90,48 +49,81 @@ Result<std::size_t> check_word(const std::string& field, const Parameter& p,
   return static_cast<std::size_t>(found - p.words.begin());
 }
 
-// Which of Fresnel's kinds the given numbers mean when no word says so.
-std::string inferred_fresnel(const LobeSpec& lobe) {
-  if (find(lobe, "f0") != nullptr) return "schlick";
-  if (find(lobe, "k") != nullptr) return "conductor";
-  return find(lobe, "eta") != nullptr ? "dielectric" : "none";
+bool usable_with(const Parameter& number, std::string_view word) {
+  const auto& words = number.used_with.words;
+  return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// A number that the chosen kind would ignore is a mistake, not a wish.
-Outcome check_fresnel_use(const NamedLobe& lobe, std::string_view kind) {
-  const auto refuse = [&](std::string_view name, std::string_view users) -> Outcome {
-    return bad_value(lobe.prefix + "parameters." + std::string(name),
-                     "given with fresnel " + std::string(kind),
-                     "only with fresnel " + std::string(users));
-  };
-  if (find(*lobe.spec, "f0") != nullptr && kind != "schlick") return refuse("f0", "schlick");
-  if (find(*lobe.spec, "k") != nullptr && kind != "conductor") return refuse("k", "conductor");
-  if (find(*lobe.spec, "eta") != nullptr && kind != "dielectric" && kind != "conductor") {
-    return refuse("eta", "dielectric or conductor");
+// The given numbers that have a meaning only with some words of `choice`.
+std::vector<const Parameter*> given_users(const NamedLobe& lobe, const ModelDescription& model,
+                                          const Parameter& choice) {
+  std::vector<const Parameter*> users;
+  for (const Parameter& p : model.parameters) {
+    if (p.used_with.parameter == choice.name && find(*lobe.spec, p.name) != nullptr)
+      users.push_back(&p);
+  }
+  return users;
+}
+
+// The word that the given numbers mean when none says so: the first that all can be used with. If
+// they contradict each other, the first one's.
+std::size_t inferred_word(const Parameter& choice, const std::vector<const Parameter*>& users) {
+  for (std::size_t word = 0; word < choice.words.size(); ++word) {
+    const auto fits = [&](const Parameter* p) { return usable_with(*p, choice.words[word]); };
+    if (std::all_of(users.begin(), users.end(), fits)) return word;
+  }
+  const auto of_first =
+      std::find(choice.words.begin(), choice.words.end(), users.front()->used_with.words.front());
+  return static_cast<std::size_t>(of_first - choice.words.begin());
+}
+
+// A number that the chosen word would ignore is a mistake, not a wish.
+Outcome check_use(const NamedLobe& lobe, const std::vector<const Parameter*>& users,
+                  std::string_view word) {
+  for (const Parameter* p : users) {
+    if (usable_with(*p, word)) continue;
+    const std::string choice(p->used_with.parameter);
+    return bad_value(lobe.prefix + "parameters." + std::string(p->name),
+                     "given with " + choice + " " + std::string(word),
+                     "only with " + choice + " " + joined(p->used_with.words, " or "));
   }
   return Ok{};
 }
 
-Outcome check_parameter(const NamedLobe& lobe, const Parameter& p, CheckedLobe& checked,
-                        ChannelCount& channels) {
-  const std::string field = lobe.prefix + "parameters." + std::string(p.name);
-  const ParameterValue* given = find(*lobe.spec, p.name);
-  if (p.kind != Kind::word) {
-    if (given == nullptr) return checked.values.set(p.name, {p.start}), Ok{};
-    Result<std::vector<double>> numbers = check_numbers(field, p, *given, channels);
-    if (!numbers) return numbers.error();
-    return checked.values.set(p.name, std::move(numbers).value()), Ok{};
-  }
+Outcome check_choice(const NamedLobe& lobe, const Parameter& p, CheckedLobe& checked) {
+  const auto users = given_users(lobe, *checked.model, p);
   std::size_t word = 0;
-  const ParameterValue inferred = inferred_fresnel(*lobe.spec);
-  if (given == nullptr && p.name == fresnel::kKind.name) given = &inferred;
-  if (given != nullptr) {
-    Result<std::size_t> found = check_word(field, p, *given);
+  if (const ParameterValue* given = find(*lobe.spec, p.name); given != nullptr) {
+    Result<std::size_t> found =
+        check_word(lobe.prefix + "parameters." + std::string(p.name), p, *given);
     if (!found) return found.error();
     word = *found;
+  } else {
+    word = inferred_word(p, users);
   }
   checked.kind = checked.kind * p.words.size() + word;
-  return p.name == fresnel::kKind.name ? check_fresnel_use(lobe, p.words[word]) : Outcome(Ok{});
+  return check_use(lobe, users, p.words[word]);
+}
+
+// What the preset of `p` needs beside it.
+Outcome check_partner(const NamedLobe& lobe, const Parameter& p, const ParameterValue& given) {
+  const auto* preset = std::get_if<std::string>(&given);
+  if (preset == nullptr || p.preset_partner.empty()) return Ok{};
+  if (find(*lobe.spec, p.preset_partner) != nullptr) return Ok{};
+  return bad_value(lobe.prefix + "parameters." + std::string(p.preset_partner), "not given",
+                   '"' + *preset + "\", as for " + std::string(p.name) + ", or numbers");
+}
+
+Outcome check_parameter(const NamedLobe& lobe, const Parameter& p, CheckedLobe& checked,
+                        ChannelCount& channels) {
+  if (p.kind == Kind::word) return check_choice(lobe, p, checked);
+  const ParameterValue* given = find(*lobe.spec, p.name);
+  if (given == nullptr) return checked.values.set(p.name, {p.start}), Ok{};
+  const std::string field = lobe.prefix + "parameters." + std::string(p.name);
+  Result<std::vector<double>> numbers = check_numbers(field, p, *given, channels);
+  if (!numbers) return numbers.error();
+  if (Outcome partner = check_partner(lobe, p, *given); !partner) return partner;
+  return checked.values.set(p.name, std::move(numbers).value()), Ok{};
 }
 
 }  // namespace

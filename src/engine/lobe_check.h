@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "engine/material.h"
+#include "engine/number_check.h"
 #include "models/description.h"
 #include "models/parameter_values.h"
 
@@ -21,12 +22,6 @@ struct CheckedLobe {
   const ModelDescription* model;
   std::size_t kind;  // see prepare()
   ParameterValues<double> values;
-};
-
-// The common length of the colour parameters seen so far, and which one set it.
-struct ChannelCount {
-  int count = 1;
-  std::string set_by;
 };
 
 Result<CheckedLobe> check_lobe(const NamedLobe& lobe, ChannelCount& channels);

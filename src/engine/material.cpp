@@ -50,19 +50,26 @@ void add_part(Material::Impl& material, const CheckedLobe& lobe) {
 
 }  // namespace
 
-Result<Material> Material::create(const MaterialSpec& spec, std::string_view prefix) {
-  const Result<std::vector<NamedLobe>> named = list_lobes(spec, prefix);
+Result<CheckedMaterial> check_material(const MaterialSpec& spec, std::string_view prefix) {
+  Result<std::vector<NamedLobe>> named = list_lobes(spec, prefix);
   if (!named) return named.error();
-  std::vector<CheckedLobe> lobes;
+  CheckedMaterial material{std::move(named).value(), {}};
   ChannelCount channels;
-  for (const NamedLobe& lobe : *named) {
+  for (const NamedLobe& lobe : material.named) {
     Result<CheckedLobe> checked = check_lobe(lobe, channels);
     if (!checked) return checked.error();
-    lobes.push_back(std::move(checked).value());
+    material.lobes.push_back(std::move(checked).value());
   }
+  material.channels = channels.count;
+  return material;
+}
+
+Result<Material> Material::create(const MaterialSpec& spec, std::string_view prefix) {
+  const Result<CheckedMaterial> checked = check_material(spec, prefix);
+  if (!checked) return checked.error();
   auto impl = std::make_shared<Impl>();
-  impl->channels = channels.count;
-  for (const CheckedLobe& lobe : lobes) add_part(*impl, lobe);
+  impl->channels = checked->channels;
+  for (const CheckedLobe& lobe : checked->lobes) add_part(*impl, lobe);
   return Material(std::move(impl));
 }
 

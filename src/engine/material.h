@@ -54,11 +54,12 @@ class Material {
   [[nodiscard]] ErrorBound error_bound(Precision) const;  // the worst of the parts
   [[nodiscard]] std::size_t bytes() const;                // memory held
 
+  // For the engine.
   struct Impl;
+  explicit Material(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
   [[nodiscard]] const Impl& impl() const { return *impl_; }
 
  private:
-  explicit Material(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
   std::shared_ptr<const Impl> impl_;
 };
 

@@ -5,17 +5,19 @@
 #include <vector>
 
 #include "engine/kernel.h"
+#include "engine/lobe_check.h"
 #include "engine/material.h"
 
 namespace gonio {
 
 struct MaterialPart {
-  // Of the two measured kernels or, for an analytic lobe, by index.
-  enum class Source : std::uint8_t { analytic, measured_linear, measured_nearest };
+  // One of the two measured kernels or, for an analytic lobe and its derivative, by index.
+  enum class Source : std::uint8_t { analytic, derivative, measured_linear, measured_nearest };
   Source source = Source::analytic;
   std::size_t kernel = 0;
   std::shared_ptr<const void> constants;
 
+  // Not for derivatives, which have kernels of their own.
   [[nodiscard]] const KernelSet& kernels(const KernelTable& table) const {
     if (source == Source::analytic) return table.analytic[kernel];
     return source == Source::measured_linear ? table.measured_linear : table.measured_nearest;
@@ -28,5 +30,13 @@ struct Material::Impl {
   ErrorBound fast, reference;
   std::size_t bytes = 0;
 };
+
+// The checked lobes of a specification, in order: the diffuse base first.
+struct CheckedMaterial {
+  std::vector<NamedLobe> named;
+  std::vector<CheckedLobe> lobes;
+  int channels = 1;
+};
+Result<CheckedMaterial> check_material(const MaterialSpec& spec, std::string_view prefix);
 
 }  // namespace gonio

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string_view>
 
 #include "engine/constants.h"
 #include "models/description.h"
@@ -20,5 +21,10 @@ struct PreparedLobe {
 // word parameters, in the order of its table, the last word the fastest.
 PreparedLobe prepare(const ModelDescription& model, std::size_t kind,
                      const ParameterValues<double>& values, int channels);
+
+// The same for the derivative by the parameter `by`: a Constants<Kind, Dual<double>>.
+PreparedLobe prepare_derivative(const ModelDescription& model, std::size_t kind,
+                                const ParameterValues<double>& values, int channels,
+                                std::string_view by);
 
 }  // namespace gonio

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/prepare.h"
 #include "models/all.h"
+#include "numeric/dual.h"
 
 namespace gonio {
 namespace {
@@ -32,7 +34,8 @@ constexpr ModelDescription kMeasured{
                      "from cell boundaries"},
     .reference = {.relative = 1e-10,
                   .note = "of the largest of the table's cells that are interpolated; nearest: "
-                          "away from cell boundaries"}};
+                          "away from cell boundaries"},
+    .albedo_limit = 0};
 
 template <class... Models>
 std::vector<ModelDescription> describe(TypeList<Models...>) {
@@ -43,36 +46,48 @@ struct Prepared {
   std::shared_ptr<const void> constants;
   std::size_t bytes;
 };
-using PrepareFn = Prepared (*)(const ParameterValues<double>& values, int channels);
+template <class S>
+using PrepareFn = Prepared (*)(const ParameterValues<S>& values, int channels);
 
-template <class Kind>
-Prepared prepare_kind(const ParameterValues<double>& values, int channels) {
-  auto constants = std::make_shared<Constants<Kind>>();
+template <class Kind, class S>
+Prepared prepare_kind(const ParameterValues<S>& values, int channels) {
+  using Made = Constants<Kind, S>;
+  auto constants = std::make_shared<Made>();
   constants->shape = Kind::shape(values);
   constants->channels = channels;
   for (int c = 0; c < channels; ++c) {
     constants->wide[c] = Kind::channel(values, c);
-    constants->real[c] = to_float<Kind::template Channel>(constants->wide[c]);
+    if constexpr (Made::kForFloat)
+      constants->real[c] = to_float<Kind::template Channel>(constants->wide[c]);
   }
-  return {std::move(constants), sizeof(Constants<Kind>)};
+  return {std::move(constants), sizeof(Made)};
+}
+
+// What prepares the kinds of all models, and which kind is each model's first.
+template <class S, class... Kinds>
+std::vector<PrepareFn<S>> prepare_functions(TypeList<Kinds...>) {
+  return {&prepare_kind<Kinds, S>...};
 }
 
 template <class... Kinds>
-void add_kinds(std::vector<PrepareFn>& kinds, TypeList<Kinds...>) {
-  (kinds.push_back(&prepare_kind<Kinds>), ...);
+constexpr std::size_t count(TypeList<Kinds...>) {
+  return sizeof...(Kinds);
 }
 
-struct PrepareTable {
-  std::vector<PrepareFn> kinds;
-  std::vector<std::size_t> first;  // of each model
-};
-
 template <class... Models>
-PrepareTable prepare_table(TypeList<Models...>) {
-  PrepareTable table;
-  ((table.first.push_back(table.kinds.size()), add_kinds(table.kinds, typename Models::Kinds{})),
-   ...);
-  return table;
+std::vector<std::size_t> first_kinds(TypeList<Models...>) {
+  std::size_t next = 0;
+  return {std::exchange(next, next + count(typename Models::Kinds{}))...};
+}
+
+template <class S>
+PreparedLobe prepare_as(const ModelDescription& model, std::size_t kind,
+                        const ParameterValues<S>& values, int channels) {
+  static const std::vector<std::size_t> first = first_kinds(AllModels{});
+  static const std::vector<PrepareFn<S>> functions = prepare_functions<S>(AllKinds{});
+  const std::size_t index = first[static_cast<std::size_t>(&model - models().data())] + kind;
+  Prepared prepared = functions[index](values, channels);
+  return {index, std::move(prepared.constants), prepared.bytes};
 }
 
 }  // namespace
@@ -93,10 +108,19 @@ Result<const ModelDescription*> find_model(std::string_view name) {
 
 PreparedLobe prepare(const ModelDescription& model, std::size_t kind,
                      const ParameterValues<double>& values, int channels) {
-  static const PrepareTable table = prepare_table(AllModels{});
-  const std::size_t index = table.first[static_cast<std::size_t>(&model - models().data())] + kind;
-  Prepared prepared = table.kinds[index](values, channels);
-  return {index, std::move(prepared.constants), prepared.bytes};
+  return prepare_as(model, kind, values, channels);
+}
+
+PreparedLobe prepare_derivative(const ModelDescription& model, std::size_t kind,
+                                const ParameterValues<double>& values, int channels,
+                                std::string_view by) {
+  ParameterValues<Dual<double>> seeded;
+  for (const auto& [name, numbers] : values.all()) {
+    std::vector<Dual<double>> duals;
+    for (const double number : numbers) duals.emplace_back(number, name == by ? 1.0 : 0.0);
+    seeded.set(name, std::move(duals));
+  }
+  return prepare_as(model, kind, seeded, channels);
 }
 
 }  // namespace gonio

@@ -22,6 +22,7 @@
 #include "parts/fresnel.h"
 #include "parts/geometry.h"
 #include "parts/lobe.h"
+#include "parts/presets.h"
 
 namespace gonio {
 
@@ -40,7 +41,8 @@ struct AshikhminShirley {
                 .lower = 0,
                 .upper = 1,
                 .start = 0.5,
-                .kind = Kind::colour},
+                .kind = Kind::colour,
+                .presets = presets::kReflectance},
       Parameter{.name = "nu",
                 .meaning = "exponent along the tangent u",
                 .unit = "1",

@@ -1,7 +1,8 @@
-// cook_torrance: microfacets in V-grooves with Beckmann's distribution of normals.
+// cook_torrance: microfacets in V-grooves, their normals after Beckmann or a cosine power.
 //
 //   f = scale F D G / (4 (n.wi) (n.wo))
 //   D = exp(-tan^2(delta) / m^2) / (pi m^2 cos^4(delta)),   cos(delta) = n.h
+//   or (s + 2) / (2 pi) cos^s(delta)
 //   G = min(1, 2 (n.h)(n.wo) / (wo.h), 2 (n.h)(n.wi) / (wi.h))
 //
 // Source: Cook & Torrance 1982, "A Reflectance Model for Computer Graphics" (with pi and 4 as they
@@ -11,44 +12,109 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "models/description.h"
+#include "parts/cosine_power.h"
 #include "parts/lobe.h"
 
 namespace gonio {
 
 struct CookTorrance {
-  static constexpr std::array kParameters{Parameter{.name = "m",
-                                                    .meaning = "Beckmann's root mean square slope",
-                                                    .unit = "1",
-                                                    .lower = 1e-3,
-                                                    .upper = 2,
-                                                    .start = 0.3,
-                                                    .scale = Scale::logarithmic},
-                                          fresnel::kKind,
-                                          fresnel::kF0,
-                                          fresnel::kEta,
-                                          fresnel::kK,
-                                          kScale};
+  static constexpr std::array<std::string_view, 2> kDistributions{"beckmann", "cosine_power"};
+  static constexpr std::array<std::string_view, 1> kBeckmann{"beckmann"},
+      kCosinePower{"cosine_power"};
+  static constexpr std::array kParameters{
+      Parameter{.name = "distribution",
+                .meaning = "of the microfacets' normals; if not given, it follows from m and s",
+                .unit = "1",
+                .kind = Kind::word,
+                .words = kDistributions},
+      Parameter{.name = "m",
+                .meaning = "Beckmann's root mean square slope",
+                .unit = "1",
+                .lower = 1e-3,
+                .upper = 2,
+                .start = 0.3,
+                .scale = Scale::logarithmic,
+                .used_with = {"distribution", kBeckmann}},
+      cosine_power::exponent_used_with({"distribution", kCosinePower}),
+      fresnel::kKind,
+      fresnel::kF0,
+      fresnel::kEta,
+      fresnel::kK,
+      kScale};
   static constexpr ModelDescription kDescription{
       .name = "cook_torrance",
-      .summary = "V-groove microfacets with Beckmann's distribution",
+      .summary = "V-groove microfacets with Beckmann's distribution, or a cosine power",
       .source = "Cook & Torrance 1982, A Reflectance Model for Computer Graphics",
       .role = Role::specular,
       .parameters = kParameters,
       .fast = {.relative = 3e-6},
-      .reference = {.relative = 3e-9, .note = "3e-11 for m of 0.03 and more"}};
-  using Kinds = FresnelKinds<CookTorrance>;
+      .reference = {.relative = 3e-9, .note = "3e-11 for m of 0.03 and more, s up to 1000"}};
 
+  struct Beckmann;
+  struct CosinePower;
+  template <class Distribution>
+  struct WithDistribution;
+  using Kinds = Concatenated<FresnelKinds<WithDistribution<Beckmann>>,
+                             FresnelKinds<WithDistribution<CosinePower>>>;
+};
+
+// D as a power of two times a factor.
+struct CookTorrance::Beckmann {
   template <class S>
   struct Shape {
     S minus_inverse_m2, norm;  // the first times log2(e)
   };
-
   template <class S>
   static Shape<S> shape(const ParameterValues<S>& p) {
     const S m = p.number("m");
     return {S(-1.44269504088896341) / (m * m), S(1) / (S(3.14159265358979323846) * m * m)};
+  }
+  template <class N>
+  static GONIO_INLINE typename N::Wide exponent(const Shape<typename N::WideScalar>& k,
+                                                const HalfVector<N>& half) {
+    using Wide = typename N::Wide;
+    const Vec3<Wide>& h = half.h;
+    return sum_of_products(h.x, h.x, h.y, h.y) * Wide(k.minus_inverse_m2) / (h.z * h.z);
+  }
+  // sec2 = 1/cos^2(delta)
+  template <class Real, class S>
+  static GONIO_INLINE Real factor(const Shape<S>& k, const Real& sec2) {
+    return Real(k.norm) * (sec2 * sec2);
+  }
+};
+
+struct CookTorrance::CosinePower {
+  template <class S>
+  struct Shape {
+    S minus_half_s, norm;
+  };
+  template <class S>
+  static Shape<S> shape(const ParameterValues<S>& p) {
+    const S s = p.number("s");
+    return {S(-0.5) * s, (s + S(2)) / S(2 * 3.14159265358979323846)};
+  }
+  template <class N>
+  static GONIO_INLINE typename N::Wide exponent(const Shape<typename N::WideScalar>& k,
+                                                const HalfVector<N>& half) {
+    return cosine_power::of_half_vector<N>(k.minus_half_s, half);
+  }
+  template <class Real, class S>
+  static GONIO_INLINE Real factor(const Shape<S>& k, const Real&) {
+    return Real(k.norm);
+  }
+};
+
+template <class Distribution>
+struct CookTorrance::WithDistribution {
+  template <class S>
+  using Shape = typename Distribution::template Shape<S>;
+
+  template <class S>
+  static Shape<S> shape(const ParameterValues<S>& p) {
+    return Distribution::shape(p);
   }
 
   template <class N>
@@ -63,29 +129,27 @@ struct CookTorrance {
 
   template <class N>
   struct Refined {
-    typename N::Wide exponent;  // -tan^2(theta_h) / m^2 log2(e)
+    typename N::Wide exponent;  // log2 of D without its factor
     typename N::Real h2, z;     // |H|^2, Hz
   };
 
   template <class N>
   static GONIO_INLINE Refined<N> refine(const Shape<typename N::WideScalar>& k,
                                         const HalfVector<N>& half, const Stage<N>&) {
-    using Wide = typename N::Wide;
-    const Vec3<Wide>& h = half.h;
-    const Wide s = sum_of_products(h.x, h.x, h.y, h.y), c = h.z * h.z;
-    return {s * Wide(k.minus_inverse_m2) / c, N::real(s + c), N::real(h.z)};
+    return {Distribution::template exponent<N>(k, half), N::real(half.length2()),
+            N::real(half.h.z)};
   }
 
   template <class N>
   static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k,
                                                  const Stage<N>& g, const Refined<N>& r) {
     using Real = typename N::Real;
-    // Within the stated horizon the exponential is 0 wherever a bound acts; beyond, they keep the
-    // other factors finite.
+    // Within the stated horizon Beckmann's exponential is 0 wherever a bound acts; beyond, they
+    // keep the other factors finite.
     const Real z = max(r.z, Real(1e-12));
     const Real sec2 = min(r.h2 / (z * z), Real(1e9));
     const Real masking = z / max(g.cos_max * max(Real(4) * g.cos_min * z, r.h2), Real(1e-37));
-    return N::times_exp2(min(Real(1e37), Real(k.norm) * (sec2 * sec2) * masking), r.exponent);
+    return N::times_exp2(min(Real(1e37), Distribution::factor(k, sec2) * masking), r.exponent);
   }
 };
 

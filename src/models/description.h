@@ -2,6 +2,7 @@
 // `gonio models`, the documentation and the fitter's bounds all read it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -22,6 +23,19 @@ enum class Kind : std::uint8_t {
   word,    // one of `words`
 };
 
+// The words of another parameter with which a number has a meaning; none: it always has.
+struct UsedWith {
+  std::string_view parameter = {};
+  std::span<const std::string_view> words = {};
+};
+
+// A word that may stand in the place of a colour's numbers.
+struct Preset {
+  std::string_view name;
+  std::array<double, 3> rgb;  // linear
+  std::string_view source;    // publication, and what the channels stand for
+};
+
 struct Parameter {
   std::string_view name;
   std::string_view meaning;
@@ -31,7 +45,14 @@ struct Parameter {
   double start = 0;  // taken when the parameter is not given; a fit starts here
   Scale scale = Scale::linear;
   Kind kind = Kind::number;
-  std::span<const std::string_view> words = {};  // the default first; for Kind::word only
+  // For Kind::word only, the default first. A word that is not given is the first one that all the
+  // given numbers can be used with.
+  std::span<const std::string_view> words = {};
+  UsedWith used_with = {};
+  std::span<const Preset> presets = {};  // for Kind::colour only
+  // What must be given too where this is a preset: with half of its complex index, and the other
+  // half's default, a conductor would be another substance.
+  std::string_view preset_partner = {};
 };
 
 // |f - truth| <= relative * truth wherever truth > above and both n.wi and n.wo > cosine, truth
@@ -53,6 +74,9 @@ struct ModelDescription {
   std::span<const Parameter> parameters;
   ErrorBound fast;       // float32 in and out
   ErrorBound reference;  // float64
+  // The largest albedo over all directions, for colours and a scale of at most 1. Above 1 for what
+  // gains energy as published; 0 where it is not known (a table).
+  double albedo_limit = 1;
 };
 
 }  // namespace gonio

@@ -19,6 +19,7 @@ class ParameterValues {
     numbers_[std::string(name)] = std::move(numbers);
   }
 
+  [[nodiscard]] const auto& all() const { return numbers_; }
   [[nodiscard]] S number(std::string_view name) const { return colour(name, 0); }
   // One number stands for all channels.
   [[nodiscard]] S colour(std::string_view name, int channel) const {

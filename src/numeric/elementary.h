@@ -2,6 +2,7 @@
 #pragma once
 
 #include "numeric/packet.h"
+#include "numeric/vec.h"
 
 namespace gonio::GONIO_ISA {
 
@@ -12,6 +13,36 @@ GONIO_INLINE T polynomial(T x, const double (&c)[N]) {
 #pragma GCC unroll 16
   for (int i = N - 2; i >= 0; --i) sum = sum * x + T(c[i]);
   return sum;
+}
+
+// The rounded sum, and what rounding took from it (Knuth).
+template <Exactness E>
+GONIO_INLINE void exact_sum(Double<E> a, Double<E> b, Double<E>& sum, Double<E>& error) {
+  sum = a + b;
+  const Double<E> of_b = sum - a;
+  error = (a - (sum - of_b)) + (b - of_b);
+}
+
+// ax bx + ay by + az bz to a relative error of 4e-16 down to sums of 1e-15 of the products (Ogita,
+// Rump & Oishi 2005, "Accurate Sum and Dot Product"). Quick: of float32 numbers, whose products are
+// exact.
+template <Exactness E>
+GONIO_INLINE Double<E> exact_dot(const Vec3<Double<E>>& a, const Vec3<Double<E>>& b) {
+  using D = Double<E>;
+  D x, y, z, lost = 0;
+  if constexpr (E == Exactness::exact) {
+    D lost_x, lost_y, lost_z;
+    exact_product(a.x, b.x, x, lost_x);
+    exact_product(a.y, b.y, y, lost_y);
+    exact_product(a.z, b.z, z, lost_z);
+    lost = lost_x + lost_y + lost_z;
+  } else {
+    x = a.x * b.x, y = a.y * b.y, z = a.z * b.z;
+  }
+  D two, three, lost_two, lost_three;
+  exact_sum(x, y, two, lost_two);
+  exact_sum(two, z, three, lost_three);
+  return three + (lost + lost_two + lost_three);
 }
 
 // (w/s) log2(1 + s/c), given a = s + c, for s >= 0, c >= 0 (quick: c > 1e-150, as of float32

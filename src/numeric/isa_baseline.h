@@ -26,6 +26,20 @@ GONIO_INLINE F max(F a, F b) { return _mm_max_ps(a, b); }
 GONIO_INLINE D max(D a, D b) { return _mm_max_pd(a, b); }
 GONIO_INLINE F multiply_add(F a, F b, F c) { return a * b + c; }
 GONIO_INLINE D multiply_add(D a, D b, D c) { return a * b + c; }
+// The upper 26 bits of x, and the rest (Dekker 1971).
+GONIO_INLINE void halve_bits(D x, D& high, D& low) {
+  const D scaled = x * _mm_set1_pd(134217729);
+  high = scaled - (scaled - x);
+  low = x - high;
+}
+// a b as rounded, and what rounding took from it.
+GONIO_INLINE void exact_product(D a, D b, D& product, D& error) {
+  D ah, al, bh, bl;
+  halve_bits(a, ah, al);
+  halve_bits(b, bh, bl);
+  product = a * b;
+  error = ((ah * bh - product) + ah * bl + al * bh) + al * bl;
+}
 GONIO_INLINE F sqrt(F x) { return _mm_sqrt_ps(x); }
 GONIO_INLINE D sqrt(D x) { return _mm_sqrt_pd(x); }
 // Adding and taking away 1.5 * 2^52 leaves the nearest whole number, for |x| < 2^51.

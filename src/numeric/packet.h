@@ -103,6 +103,10 @@ struct Double {
   friend GONIO_INLINE Double sum_of_products(Double a, Double b, Double c, Double d) {
     return {raw::multiply_add(a.lo, b.lo, c.lo * d.lo), raw::multiply_add(a.hi, b.hi, c.hi * d.hi)};
   }
+  friend GONIO_INLINE void exact_product(Double a, Double b, Double& product, Double& error) {
+    raw::exact_product(a.lo, b.lo, product.lo, error.lo);
+    raw::exact_product(a.hi, b.hi, product.hi, error.hi);
+  }
   friend GONIO_INLINE Double sqrt(Double a) { return {raw::sqrt(a.lo), raw::sqrt(a.hi)}; }
   friend GONIO_INLINE Double round(Double a) { return {raw::round(a.lo), raw::round(a.hi)}; }
   friend GONIO_INLINE Double floor(Double a) { return {raw::floor(a.lo), raw::floor(a.hi)}; }

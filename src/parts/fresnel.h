@@ -15,11 +15,16 @@
 #include "models/parameter_values.h"
 #include "numeric/inline.h"
 #include "parts/geometry.h"
+#include "parts/presets.h"
 
 namespace gonio::fresnel {
 
 inline constexpr std::array<std::string_view, 4> kWords{"none", "schlick", "dielectric",
                                                         "conductor"};
+
+inline constexpr std::array<std::string_view, 1> kSchlickOnly{"schlick"};
+inline constexpr std::array<std::string_view, 2> kIndexed{"dielectric", "conductor"};
+inline constexpr std::array<std::string_view, 1> kConductorOnly{"conductor"};
 
 inline constexpr Parameter kKind{
     .name = "fresnel",
@@ -28,28 +33,35 @@ inline constexpr Parameter kKind{
     .kind = Kind::word,
     .words = kWords};
 inline constexpr Parameter kF0{.name = "f0",
-                               .meaning = "reflectance at normal incidence, for schlick",
+                               .meaning = "reflectance at normal incidence",
                                .unit = "1",
                                .lower = 0,
                                .upper = 1,
                                .start = 0.04,
-                               .kind = Kind::colour};
-inline constexpr Parameter kEta{
-    .name = "eta",
-    .meaning = "refractive index relative to the outside, for dielectric and conductor",
-    .unit = "1",
-    .lower = 0.01,
-    .upper = 100,
-    .start = 1.5,
-    .scale = Scale::logarithmic,
-    .kind = Kind::colour};
+                               .kind = Kind::colour,
+                               .used_with = {"fresnel", kSchlickOnly},
+                               .presets = presets::kReflectance};
+inline constexpr Parameter kEta{.name = "eta",
+                                .meaning = "refractive index relative to the outside",
+                                .unit = "1",
+                                .lower = 0.01,
+                                .upper = 100,
+                                .start = 1.5,
+                                .scale = Scale::logarithmic,
+                                .kind = Kind::colour,
+                                .used_with = {"fresnel", kIndexed},
+                                .presets = presets::kIndex,
+                                .preset_partner = "k"};
 inline constexpr Parameter kK{.name = "k",
-                              .meaning = "extinction coefficient, for conductor",
+                              .meaning = "extinction coefficient",
                               .unit = "1",
                               .lower = 0,
                               .upper = 100,
                               .start = 0,
-                              .kind = Kind::colour};
+                              .kind = Kind::colour,
+                              .used_with = {"fresnel", kConductorOnly},
+                              .presets = presets::kExtinction,
+                              .preset_partner = "eta"};
 
 // F = 1.
 struct None {

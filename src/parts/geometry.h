@@ -72,6 +72,9 @@ class Geometry {
       half.h = combine(inverse_i, sum, change, wide_o);
       half.difference2 = dot(d, d);
     }
+    given_i_ = wide_i;
+    given_o_ = wide_o;
+    inverse_lengths_ = inverse_i * inverse_o;
     const Real error_i = length_error(given_i), error_o = length_error(given_o);
     real_wi = N::inverse_length(error_i) * given_i;
     real_wo = N::inverse_length(error_o) * given_o;
@@ -81,8 +84,16 @@ class Geometry {
 
   GONIO_INLINE Real cos_i() const { return real_wi.z; }
   GONIO_INLINE Real cos_o() const { return real_wo.z; }
+  // The cosine between wo and the mirror image of wi, to its last digits where it is nearly 0, too.
+  GONIO_INLINE Wide mirror_cosine() const {
+    const Vec3<Wide> mirrored{-given_i_.x, -given_i_.y, given_i_.z};
+    return inverse_lengths_ * N::exact_dot(mirrored, given_o_);
+  }
 
  private:
+  Vec3<Wide> given_i_, given_o_;
+  Wide inverse_lengths_;  // the product of both
+
   // |k|^2 - 1 without losing the small difference.
   template <class T>
   static GONIO_INLINE T length_error(const Vec3<T>& k) {

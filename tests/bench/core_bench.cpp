@@ -16,9 +16,9 @@
 #include <string>
 
 #include "bench/cases.h"
-#include "bench/printed.h"
+#include "bench/core_table.h"
+#include "engine/evaluate.h"
 #include "engine/thread_pool.h"
-#include "models/compare.h"
 #include "models/run.h"
 
 namespace gonio::bench {
@@ -31,7 +31,8 @@ struct Arrays {
     std::mt19937 random(1);
     std::uniform_real_distribution<float> uniform;
     for (auto& a : in) a.resize(n + 80);
-    out.resize(3 * n + 80);
+    // Large batches have three channels.
+    out.resize((n > kSpectralPairs ? 3 : kMaxChannels) * n + 80);
     out64.resize(3 * n + 80);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t k = 0; k < 6; k += 3) {
@@ -114,41 +115,6 @@ void two_threads(benchmark::State& state, const Material& material, std::size_t 
   count_pairs(state, n);
 }
 
-// Worst and 99.9th-percentile relative error within the stated range, over the oracle's hard pairs.
-template <class Out>
-testing::Comparison accuracy(const MaterialSpec& spec, Isa isa) {
-  auto pairs = testing::hard_pairs<float>(1);
-  std::erase_if(pairs, [](const auto& p) { return std::min(p.wi[2], p.wo[2]) < 1.001e-6F; });
-  const auto truth = testing::oracle_values(testing::Oracle<testing::Quad>(spec), pairs);
-  const std::vector<Out> got = testing::library_values<Out>(testing::material_of(spec), pairs, isa);
-  testing::Comparison result = testing::compare<Out>(got, truth, 1e-30);
-  if (result.improper_at) result.worst = std::numeric_limits<double>::infinity();
-  return result;
-}
-
-// Keeps the best speed of every benchmark, in pairs per second.
-class Best : public benchmark::ConsoleReporter {
- public:
-  void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs) {
-      const auto rate = run.counters.find("items_per_second");
-      if (run.run_type != Run::RT_Iteration || rate == run.counters.end()) continue;
-      double& best = rate_[run.run_name.function_name];
-      best = std::max(best, rate->second.value);
-    }
-    ConsoleReporter::ReportRuns(runs);
-  }
-  [[nodiscard]] double rate(const std::string& name) const {
-    const auto found = rate_.find(name);
-    return found == rate_.end() ? 0 : found->second;
-  }
-
- private:
-  std::map<std::string, double> rate_;
-};
-
-constexpr std::size_t kSizes[] = {1000, 4096, 10000, 65536, std::size_t{1} << 20};
-
 void register_model(const std::string& name, const MaterialSpec& spec) {
   const Material material = testing::material_of(spec);
   for (const Isa isa : supported_isas()) {
@@ -165,46 +131,13 @@ void register_model(const std::string& name, const MaterialSpec& spec) {
   }
 }
 
-template <class Out>
-void print_row(const Best& best, const std::string& name, const MaterialSpec& spec,
-               const char* precision, Isa isa) {
-  const std::string at = name + "/" + precision + "/" + std::string(name_of(isa)) + "/";
-  const double rate = best.rate(at + "4096");
-  if (rate == 0) return;
-  const testing::Comparison error = accuracy<Out>(spec, isa);
-  std::printf("%-18s %-9s %-8s %7.2f %8.1f %8.1f %8.2f %8.2f   %8.1e %8.1e   %4.0f %4.0f %4.0f\n",
-              name.c_str(), precision, std::string(name_of(isa)).c_str(), 1e9 / rate,
-              rate / best.rate(name + "/scalar float"), rate / best.rate(name + "/scalar double"),
-              rate / best.rate("memory limit/4096"),
-              best.rate(at + "1048576") / best.rate("memory limit/1048576"), error.worst,
-              error.p999, best.rate(at + "1000") / 1e6, best.rate(at + "10000") / 1e6,
-              best.rate(at + "1048576") / 1e6);
-}
-
-void print_table(const Best& best) {
-  std::printf("\n%-18s %-9s %-8s %7s %8s %8s %8s %8s   %8s %8s   %s\n", "", "", "", "ns",
-              "x scalar", "x scalar", "of limit", "of limit", "error", "error",
-              "M pairs/s of a batch of");
-  std::printf("%-18s %-9s %-8s %7s %8s %8s %8s %8s   %8s %8s   %4s %4s %4s\n", "model", "precision",
-              "isa", "(4096)", "float", "double", "(4096)", "(1 M)", "worst", "99.9 %", "1 k",
-              "10 k", "1 M");
-  for (const auto& model : bench_cases<float>()) {
-    for (const Isa isa : supported_isas()) {
-      print_row<float>(best, model.name, model.spec, "fast", isa);
-      print_row<double>(best, model.name, model.spec, "reference", isa);
-    }
-  }
-  std::printf("\n2 threads over 1, on the best instruction set:\n");
-  for (const auto& model : bench_cases<float>()) {
-    const std::string at = model.name + "/fast/" + std::string(name_of(best_isa())) + "/";
-    std::printf("  %-18s", model.name.c_str());
-    for (const std::size_t n : kSizes) {
-      const std::string size = std::to_string(n);
-      std::printf("  %s: %.2f", size.c_str(),
-                  best.rate(model.name + "/2 threads/" + size) / best.rate(at + size));
-    }
-    std::printf("\n");
-  }
+void register_combinations() {
+  const auto add = [](const std::string& name, const MaterialSpec& spec) {
+    benchmark::RegisterBenchmark(name.c_str(), fast, testing::material_of(spec), best_isa(),
+                                 kSpectralPairs);
+  };
+  for (const auto& model : bench_cases<float>()) add(model.name + kSpectral, spectral(model.spec));
+  add(kSum, sum_of_lobes());
 }
 
 }  // namespace
@@ -226,6 +159,7 @@ int main(int argc, char** argv) {
     benchmark::RegisterBenchmark((model.name + "/scalar float").c_str(), scalar<float>, model);
     register_model(model.name, model.spec);
   }
+  register_combinations();
   for (const auto& model : bench_cases<double>()) {
     benchmark::RegisterBenchmark((model.name + "/scalar double").c_str(), scalar<double>, model);
   }

@@ -69,6 +69,15 @@ TEST_F(ClientTest, ListsModels) {
   ASSERT_NE(alpha, parameters.end());
   EXPECT_EQ(alpha->upper, 1.0);
   EXPECT_FALSE(alpha->meaning.empty());
+  EXPECT_TRUE(alpha->presets.empty());
+  const auto eta = std::find_if(parameters.begin(), parameters.end(),
+                                [](const auto& p) { return p.name == "eta"; });
+  ASSERT_NE(eta, parameters.end());
+  ASSERT_FALSE(eta->presets.empty());
+  EXPECT_EQ(eta->presets[0].name, "gold");
+  EXPECT_EQ(eta->presets[0].values, (std::vector{0.14, 0.43, 1.38}));
+  EXPECT_THAT(eta->presets[0].source, HasSubstr("1972"));
+  EXPECT_EQ(eta->preset_partner, "k");
 
   auto none = connect("tcp").list_models("gggx");
   ASSERT_FALSE(none.ok());

@@ -13,12 +13,12 @@
 #include "models/cases.h"
 #include "models/compare.h"
 #include "models/run.h"
+#include "models/truth.h"
 
 namespace gonio::testing {
 namespace {
 
-// What is promised for f > 1e-30; a model's own bound may be tighter.
-constexpr double kAbove = 1e-30;
+// What is promised for f > kAbove; a model's own bound may be tighter.
 double promised(Precision precision, Sharpness sharpness) {
   if (precision == Precision::fast) return 3e-6;
   return sharpness == Sharpness::smooth ? 3e-11 : 3e-9;
@@ -101,66 +101,20 @@ class Accuracy : public ::testing::TestWithParam<std::string> {
   std::map<std::string, Summary> summaries_;
 };
 
-std::vector<std::string> analytic_models_and_sums() {
-  std::vector<std::string> names{"sum"};
-  for (const ModelDescription& model : models()) {
-    if (model.role != Role::measured) names.emplace_back(model.name);
-  }
-  return names;
-}
-
-// At the critical angle of total reflection (eta < 1) F has an infinite slope, so that one rounding
-// of eta in float64 moves f by far more. Returns four times that shift, relative to f.
-template <class In>
-std::vector<double> rounding_of_eta(const MaterialSpec& spec,
-                                    const std::vector<DirectionPair<In>>& pairs,
-                                    const std::vector<Quad>& truth) {
-  if (!spec.model || !spec.model->parameters.contains("eta")) return {};
-  const auto& eta = std::get<std::vector<double>>(spec.model->parameters.at("eta"));
-  if (std::ranges::none_of(eta, [](double v) { return v < 1; })) return {};
-  std::vector<double> unsure(truth.size());
-  for (const double direction : {0.0, 10.0}) {
-    MaterialSpec shifted = spec;
-    auto& values = std::get<std::vector<double>>(shifted.model->parameters.at("eta"));
-    for (double& v : values) v = std::nextafter(v, direction);
-    const std::vector<Quad> moved = oracle_values(Oracle<Quad>(shifted), pairs);
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-      if (!(truth[i] > kAbove)) continue;
-      const auto shift = static_cast<double>((moved[i] - truth[i]) / truth[i]);
-      unsure[i] = std::max(unsure[i], 4 * std::abs(shift));
-    }
-  }
-  return unsure;
-}
-
-// Truth, or NaN where a pair is nearer to the horizon than the bounds reach.
-template <class In>
-std::vector<Quad> truth_of(const Case& c, const std::vector<DirectionPair<In>>& pairs) {
-  std::vector<Quad> truth = oracle_values(Oracle<Quad>(c.spec), pairs);
-  const std::size_t channels = truth.size() / pairs.size();
-  const double cosine = 1.001 * ErrorBound{}.cosine;  // of directions off unit length, too
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    const auto& pair = pairs[i / channels];
-    const double least = std::min(pair.wi[2], pair.wo[2]);
-    if (least > 0 && least < cosine) truth[i] = std::numeric_limits<double>::quiet_NaN();
-  }
-  return truth;
-}
-
 TEST_P(Accuracy, HoldsAgainstTheOracle) {
   std::uint64_t seed = 1;
   for (const Case& c : cases_of(GetParam())) {
     const auto floats = hard_pairs<float>(++seed);
     ASSERT_GE(floats.size(), 10000U);
-    std::vector<Quad> truth = truth_of(c, floats);
-    check<float>(c, floats, truth, {});
-    check<double>(c, floats, truth, rounding_of_eta(c.spec, floats, truth));
+    std::vector<Quad> truth = truth_of(c.spec, floats);
+    check<float>(c, floats, truth, unsure_of(c.spec, Precision::fast, floats, truth));
+    check<double>(c, floats, truth, unsure_of(c.spec, Precision::reference, floats, truth));
     // The same lines with another way to load: fewer will do.
     auto doubles = hard_pairs<double>(++seed);
     std::shuffle(doubles.begin(), doubles.end(), std::mt19937_64(seed));
     doubles.resize(4000);
-    truth = truth_of(c, doubles);
-    check<double>(c, doubles, truth, rounding_of_eta(c.spec, doubles, truth));
+    truth = truth_of(c.spec, doubles);
+    check<double>(c, doubles, truth, unsure_of(c.spec, Precision::reference, doubles, truth));
   }
 }
 
@@ -191,7 +145,7 @@ TEST_P(Accuracy, StaysProperAtTheSmallestNumbers) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, Accuracy, ::testing::ValuesIn(analytic_models_and_sums()),
+INSTANTIATE_TEST_SUITE_P(Models, Accuracy, ::testing::ValuesIn(models_with_cases()),
                          [](const auto& model) { return model.param; });
 
 }  // namespace

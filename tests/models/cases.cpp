@@ -3,6 +3,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "engine/registry.h"
+
 namespace gonio::testing {
 namespace {
 
@@ -106,22 +108,47 @@ struct Shape {
   Parameters parameters;
 };
 
-// The first shape with every reflectance, the others with two each, in turn.
-std::vector<Case> microfacet_cases(const std::string& model, const std::vector<Shape>& shapes) {
+Case with_reflectance(const std::string& model, const Shape& shape,
+                      const Reflectance& reflectance) {
+  Parameters parameters = shape.parameters;
+  parameters.insert(reflectance.parameters.begin(), reflectance.parameters.end());
+  return {shape.name + ", " + reflectance.name, shape.sharpness,
+          alone(model, std::move(parameters))};
+}
+
+// Each shape bare and with one reflectance, in turn.
+std::vector<Case> lobe_cases(const std::string& model, const std::vector<Shape>& shapes) {
   const std::vector<Reflectance> all = reflectances();
   std::vector<Case> cases;
-  const auto add = [&](const Shape& shape, const Reflectance& reflectance) {
-    Parameters parameters = shape.parameters;
-    parameters.insert(reflectance.parameters.begin(), reflectance.parameters.end());
-    cases.push_back({shape.name + ", " + reflectance.name, shape.sharpness,
-                     alone(model, std::move(parameters))});
-  };
-  for (const Reflectance& reflectance : all) add(shapes[0], reflectance);
-  for (std::size_t i = 1; i < shapes.size(); ++i) {
-    add(shapes[i], all[0]);
-    add(shapes[i], all[(5 * i) % all.size()]);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    cases.push_back(with_reflectance(model, shapes[i], all[0]));
+    cases.push_back(with_reflectance(model, shapes[i], all[(5 * i) % all.size()]));
   }
   return cases;
+}
+
+// The same, and the first shape with every reflectance.
+std::vector<Case> microfacet_cases(const std::string& model, const std::vector<Shape>& shapes) {
+  std::vector<Case> cases = lobe_cases(model, shapes);
+  for (const Reflectance& reflectance : reflectances()) {
+    cases.push_back(with_reflectance(model, shapes[0], reflectance));
+  }
+  return cases;
+}
+
+// Phong exponents from 0 to the sharpest, with what else a lobe needs.
+std::vector<Shape> exponent_shapes(const Parameters& others = {}) {
+  std::vector<Shape> shapes;
+  for (const double s : {100.0, 0.0, 0.3, 1.0, 10.0, 1e3, 1e4, 1e6, 1e7}) {
+    Parameters parameters = others;
+    parameters["s"] = number(s);
+    shapes.push_back({"s " + text(s),
+                      s <= 1e3   ? Sharpness::smooth
+                      : s <= 1e6 ? Sharpness::sharp
+                                 : Sharpness::extreme,
+                      std::move(parameters)});
+  }
+  return shapes;
 }
 
 std::vector<Case> cook_torrance_cases() {
@@ -130,10 +157,12 @@ std::vector<Case> cook_torrance_cases() {
     shapes.push_back(
         {"m " + text(m), m >= 0.045 ? Sharpness::smooth : Sharpness::sharp, {{"m", number(m)}}});
   }
+  for (Shape& shape : exponent_shapes()) shapes.push_back(std::move(shape));
   return microfacet_cases("cook_torrance", shapes);
 }
 
-std::vector<Case> ggx_cases() {
+// Roughness along both tangents.
+std::vector<Shape> rough_shapes() {
   struct Roughness {
     double x, y;
   };
@@ -152,7 +181,40 @@ std::vector<Case> ggx_cases() {
                       std::min(x, y) >= 0.045 ? Sharpness::smooth : Sharpness::sharp,
                       {{"alpha_x", number(x)}, {"alpha_y", number(y)}}});
   }
-  return microfacet_cases("ggx", shapes);
+  return shapes;
+}
+
+std::vector<Case> ward_cases() {
+  std::vector<Case> cases;
+  for (Shape& shape : rough_shapes()) {
+    shape.parameters["rs"] = Colour{0, 0.37, 1};
+    cases.push_back({shape.name, shape.sharpness, alone("ward", std::move(shape.parameters))});
+  }
+  return cases;
+}
+
+std::vector<Case> phong_mix_cases() {
+  std::vector<Shape> shapes;
+  for (const double mix : {0.3, 0.0, 1.0}) {
+    for (Shape& shape : exponent_shapes({{"mix", number(mix)}})) {
+      shape.name += " mix " + text(mix);
+      shapes.push_back(std::move(shape));
+    }
+  }
+  return lobe_cases("phong_mix", shapes);
+}
+
+std::vector<Case> oren_nayar_cases() {
+  std::vector<Case> cases;
+  for (const std::string form : {"full", "short"}) {
+    for (const double sigma : {0.3, 0.0, 1e-3, 0.7, 0.8, 1.5707963267948966}) {
+      cases.push_back(
+          {form + " sigma " + text(sigma), Sharpness::smooth,
+           alone("oren_nayar",
+                 {{"form", form}, {"sigma", number(sigma)}, {"rd", Colour{0.01, 0.5, 1}}})});
+    }
+  }
+  return cases;
 }
 
 // Sums take their parts with their own parameters; channels spread over one and many.
@@ -185,11 +247,24 @@ std::vector<Case> sum_cases() {
 
 }  // namespace
 
+std::vector<std::string> models_with_cases() {
+  std::vector<std::string> names{"sum"};
+  for (const ModelDescription& model : models()) {
+    if (model.role != Role::measured) names.emplace_back(model.name);
+  }
+  return names;
+}
+
 std::vector<Case> cases_of(std::string_view model) {
   if (model == "lambertian") return lambertian_cases();
   if (model == "ashikhmin_shirley") return ashikhmin_shirley_cases();
   if (model == "cook_torrance") return cook_torrance_cases();
-  if (model == "ggx") return ggx_cases();
+  if (model == "ggx") return microfacet_cases("ggx", rough_shapes());
+  if (model == "phong") return lobe_cases("phong", exponent_shapes());
+  if (model == "blinn_phong") return lobe_cases("blinn_phong", exponent_shapes());
+  if (model == "phong_mix") return phong_mix_cases();
+  if (model == "oren_nayar") return oren_nayar_cases();
+  if (model == "ward") return ward_cases();
   if (model == "sum") return sum_cases();
   throw std::out_of_range("no cases for the model " + std::string(model));
 }

@@ -23,6 +23,9 @@ struct Case {
   MaterialSpec spec;
 };
 
+// The analytic models of the registry, and "sum".
+std::vector<std::string> models_with_cases();
+
 // The cases of one model of the registry, or of "sum".
 std::vector<Case> cases_of(std::string_view model);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -29,24 +30,25 @@ inline double at_fraction(const Parameter& p, double t) {
   return std::clamp(from * std::pow(p.upper / from, t), p.lower, p.upper);
 }
 
-// Whether a parameter has a meaning with a Fresnel word; those that do not are refused.
-inline bool used_with(std::string_view word, std::string_view parameter) {
-  if (parameter == "f0") return word == "schlick";
-  if (parameter == "eta") return word == "dielectric" || word == "conductor";
-  if (parameter == "k") return word == "conductor";
-  return true;
+// A word for each parameter that takes one.
+using Words = std::map<std::string_view, std::string_view>;
+
+// Whether a number has a meaning with these words; those that do not are refused.
+inline bool usable_with(const Words& words, const Parameter& p) {
+  if (p.used_with.parameter.empty()) return true;
+  return std::ranges::count(p.used_with.words, words.at(p.used_with.parameter)) != 0;
 }
 
 // Numbers at `fractions` in turn, colours over three channels from `colours` in turn.
-inline Parameters draw_parameters(const ModelDescription& model, std::string_view word,
+inline Parameters draw_parameters(const ModelDescription& model, const Words& words,
                                   const std::vector<double>& fractions,
                                   const std::vector<double>& colours) {
   Parameters parameters;
   std::size_t numbers_drawn = 0, colours_drawn = 0;
   for (const Parameter& p : model.parameters) {
-    if (!used_with(word, p.name)) continue;
+    if (!usable_with(words, p)) continue;
     if (p.kind == Kind::word) {
-      if (p.name == "fresnel") parameters[std::string(p.name)] = std::string(word);
+      parameters[std::string(p.name)] = std::string(words.at(p.name));
     } else if (p.kind == Kind::number) {
       parameters[std::string(p.name)] =
           number(at_fraction(p, fractions[numbers_drawn++ % fractions.size()]));
@@ -62,12 +64,27 @@ inline Parameters draw_parameters(const ModelDescription& model, std::string_vie
   return parameters;
 }
 
-// The words of the parameter `fresnel`, or one empty word.
-inline std::vector<std::string_view> fresnel_words(const ModelDescription& model) {
+// Every combination of words that the model takes.
+inline std::vector<Words> word_choices(const ModelDescription& model) {
+  std::vector<Words> choices{{}};
   for (const Parameter& p : model.parameters) {
-    if (p.name == "fresnel") return {p.words.begin(), p.words.end()};
+    if (p.kind != Kind::word) continue;
+    std::vector<Words> more;
+    for (const Words& words : choices) {
+      for (const std::string_view word : p.words) {
+        more.push_back(words);
+        more.back()[p.name] = word;
+      }
+    }
+    choices = std::move(more);
   }
-  return {""};
+  return choices;
+}
+
+inline std::string text_of(const Words& words) {
+  std::string text;
+  for (const auto& [name, word] : words) text += ", " + std::string(name) + " " + std::string(word);
+  return text;
 }
 
 struct Fractions {
@@ -90,14 +107,14 @@ inline std::vector<Fractions> places_in_range() {
 
 inline std::vector<Draw> draws_of(const ModelDescription& model) {
   std::vector<Draw> draws;
-  for (const std::string_view word : fresnel_words(model)) {
+  for (const Words& words : word_choices(model)) {
     for (const auto& [name, values] : places_in_range()) {
       const std::vector<double> colours = draws.size() % 2 == 0
                                               ? std::vector<double>{1, 0.5, 0, 1}
                                               : std::vector<double>{0.37, 1, 0.62, 0.04};
       draws.push_back(
-          {name + (word.empty() ? "" : ", fresnel " + std::string(word)),
-           alone(std::string(model.name), draw_parameters(model, word, values, colours))});
+          {name + text_of(words),
+           alone(std::string(model.name), draw_parameters(model, words, values, colours))});
     }
   }
   return draws;
@@ -105,11 +122,13 @@ inline std::vector<Draw> draws_of(const ModelDescription& model) {
 
 // The same with every colour 1 and no Fresnel factor: what these lack of albedo 1, the model loses.
 inline std::vector<Draw> white_draws_of(const ModelDescription& model) {
-  const std::string_view word = fresnel_words(model).front();
   std::vector<Draw> draws;
-  for (const auto& [name, values] : places_in_range()) {
-    draws.push_back(
-        {name, alone(std::string(model.name), draw_parameters(model, word, values, {1}))});
+  for (const Words& words : word_choices(model)) {
+    if (words.contains("fresnel") && words.at("fresnel") != "none") continue;
+    for (const auto& [name, values] : places_in_range()) {
+      draws.push_back({name + text_of(words),
+                       alone(std::string(model.name), draw_parameters(model, words, values, {1}))});
+    }
   }
   return draws;
 }

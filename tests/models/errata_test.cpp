@@ -55,7 +55,8 @@ double largest(const std::function<double(double degrees)>& g) {
   return most;
 }
 
-// The integral of D cos over the hemisphere.
+// The integral of D cos over the hemisphere, for functions of the polar angle only: the area of a
+// distribution, or the albedo of a lobe at normal incidence.
 double projected_area(const std::function<double(const Vector&)>& d) {
   double sum = 0;
   constexpr int kSteps = 4000;
@@ -158,6 +159,41 @@ std::vector<Erratum> lobe_errata() {
           {"h = s + v", sum(kNormal, kNormal).z, library_n_h(), 1, 1e-9, false, 2}};
 }
 
+// The share of the hemisphere for which g is negative.
+double negative_share(const std::function<double(const Vector&)>& g) {
+  constexpr int kSteps = 100;
+  int negative = 0;
+  for (int i = 0; i < kSteps * kSteps; ++i) {
+    const double z = (i / kSteps + 0.5) / kSteps, phi = (i % kSteps + 0.5) * 360 / kSteps;
+    if (g(at(std::acos(z) / kDegree, phi)) < 0) ++negative;
+  }
+  return static_cast<double>(negative) / (kSteps * kSteps);
+}
+
+std::vector<Erratum> blinn_phong_errata() {
+  constexpr double kExponent = 8.75;
+  const MaterialSpec spec = alone("blinn_phong", {{"s", number(kExponent)}});
+  const auto printed = [](const Vector& wo) {
+    const double n_h = normalized(sum(kNormal, wo)).z;
+    return (kExponent + 8) / (8 * kPi) * std::pow(n_h, kExponent);
+  };
+  const auto library = [&](const Vector& wo) { return f(spec, kNormal, wo); };
+  return {
+      {"(s + 8) / (8 pi)", projected_area(printed), projected_area(library), 1, 1e-5, true, 1.075}};
+}
+
+std::vector<Erratum> phong_errata() {
+  const Vector wi = at(60);
+  const MaterialSpec linear = alone("phong", {{"s", number(1)}});
+  const auto printed = [&](const Vector& wo) { return wi.z * wo.z - wi.x * wo.x - wi.y * wo.y; };
+  const auto library = [&](const Vector& wo) { return f(linear, wi, wo); };
+  const MaterialSpec mix = alone("phong_mix", {{"s", number(1)}, {"mix", number(0)}});
+  const auto library_mix = [&](const Vector& wo) { return f(mix, wi, wo); };
+  const double share = negative_share(printed);
+  return {{"(wr.wo)^s without a clamp", share, negative_share(library), 0, 0, true, 1. / 3, 5e-3},
+          {"the same in the mix", share, negative_share(library_mix), 0, 0, true, 1. / 3, 5e-3}};
+}
+
 class Errata : public ::testing::TestWithParam<std::vector<Erratum> (*)()> {};
 
 TEST_P(Errata, PrintedFormFailsAndTheLibraryPasses) {
@@ -174,7 +210,9 @@ TEST(FresnelErrata, FresnelAt75DegreesIsThatOfTheHalfVector) {
   EXPECT_NEAR(library_fresnel(kGlass, at(75), kNormal), 0.044, 5e-4);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfThePublications, Errata, ::testing::Values(fresnel_errata, lobe_errata));
+INSTANTIATE_TEST_SUITE_P(OfThePublications, Errata,
+                         ::testing::Values(fresnel_errata, lobe_errata, phong_errata,
+                                           blinn_phong_errata));
 
 }  // namespace
 }  // namespace gonio::testing

@@ -85,12 +85,80 @@ Real conductor(Real c, Real eta, Real k) {
   return (ratio(c, 0) + ratio(n2_re * c, n2_im * c)) / 2;
 }
 
+// The cosine between wo and the mirror image of wi, or 0.
+template <class Real>
+Real mirror_cosine(const Vec<Real>& wi, const Vec<Real>& wo) {
+  return std::max(Real(0), wi.z * wo.z - wi.x * wo.x - wi.y * wo.y);
+}
+
+// Phong's lobe with the norm that makes its albedo 1 at normal incidence.
+template <class Real>
+Real phong(const Vec<Real>& wi, const Vec<Real>& wo, Real s) {
+  return (s + 2) / (2 * pi<Real>()) * power(mirror_cosine(wi, wo), s);
+}
+
+// Blinn's lobe with the norm that makes its albedo 1 at normal incidence.
+template <class Real>
+Real blinn_phong(const Vec<Real>& h, Real s) {
+  const Real norm = (s + 2) * (s + 4) / (8 * pi<Real>() * (power(Real(2), -s / 2) + s));
+  return norm * power(h.z, s);
+}
+
+// The power of a mean of both cosines of Nielsen and others.
+template <class Real>
+Real phong_mix(const Vec<Real>& wi, const Vec<Real>& wo, const Vec<Real>& h, Real s, Real mix) {
+  const Real cos2 = h.z * h.z;
+  return power((1 - mix) * mirror_cosine(wi, wo) + mix * cos2 * cos2, s);
+}
+
+// Oren and Nayar's diffuse reflection: the factors of rd/pi and of rd^2/pi.
+template <class Real>
+struct Facets {
+  Real once, twice;
+};
+template <class Real>
+Facets<Real> oren_nayar(const Vec<Real>& wi, const Vec<Real>& wo, Real sigma, bool full) {
+  const Real s2 = sigma * sigma, pi_half = pi<Real>() / 2;
+  const auto sine = [](const Vec<Real>& w) { return root(w.x * w.x + w.y * w.y); };
+  const Real si = sine(wi), so = sine(wo);
+  const Real ti = arctangent(si, wi.z), to = arctangent(so, wo.z);
+  const Real sin_a = ti < to ? so : si, beta = std::min(ti, to), alpha = std::max(ti, to);
+  const Real tan_b = ti < to ? si / wi.z : so / wo.z;
+  const Real product = si * so;
+  const Real cos_phi = product > 0 ? (wi.x * wo.x + wi.y * wo.y) / product : Real(0);
+  const Real c1 = 1 - s2 / (s2 + static_cast<Real>(0.33)) / 2;
+  const Real ratio = s2 / (s2 + static_cast<Real>(0.09));
+  const Real c2 = static_cast<Real>(0.45) * ratio;
+  if (!full) return {c1 + c2 * std::max(Real(0), cos_phi) * sin_a * tan_b, 0};
+  const Real b = beta / pi_half, ab = alpha * beta / (pi_half * pi_half);
+  const Real second = cos_phi * tan_b * (cos_phi < 0 ? sin_a - b * b * b : sin_a);
+  const Real absolute = cos_phi < 0 ? -cos_phi : cos_phi;
+  const Real third = (1 - absolute) * ratio / 8 * ab * ab * (si + so) / (wi.z + wo.z);
+  const Real again = static_cast<Real>(0.17) * s2 / (s2 + static_cast<Real>(0.13));
+  return {c1 + c2 * second + third, again * (1 - cos_phi * b * b)};
+}
+
 // Normal distribution of Beckmann, slope m.
 template <class Real>
 Real beckmann(const Vec<Real>& h, Real m) {
   const Real cos2 = h.z * h.z;
   const Real tan2 = (h.x * h.x + h.y * h.y) / cos2;
   return exponential(-tan2 / (m * m)) / (pi<Real>() * m * m * cos2 * cos2);
+}
+
+// Ward's lobe with the denominator that bounds its albedo.
+template <class Real>
+Real ward(const Vec<Real>& h, Real hk, Real alpha_x, Real alpha_y) {
+  const Real cos2 = h.z * h.z;
+  const Real a = h.x / alpha_x, b = h.y / alpha_y;
+  return exponential(-(a * a + b * b) / cos2) /
+         (4 * pi<Real>() * alpha_x * alpha_y * hk * hk * cos2 * cos2);
+}
+
+// Normal distribution as a cosine power.
+template <class Real>
+Real cosine_power(const Vec<Real>& h, Real s) {
+  return (s + 2) / (2 * pi<Real>()) * power(h.z, s);
 }
 
 // Masking and shadowing of V-grooves (Torrance and Sparrow); hk = h.wi = h.wo.

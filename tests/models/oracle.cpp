@@ -6,16 +6,7 @@
 namespace gonio::testing {
 namespace {
 
-enum class Model { lambertian, ashikhmin_shirley, cook_torrance, ggx };
 enum class Reflectance { none, schlick, dielectric, conductor };
-
-Model model_of(const std::string& name) {
-  static const std::map<std::string, Model> kModels{{"lambertian", Model::lambertian},
-                                                    {"ashikhmin_shirley", Model::ashikhmin_shirley},
-                                                    {"cook_torrance", Model::cook_torrance},
-                                                    {"ggx", Model::ggx}};
-  return kModels.at(name);
-}
 
 // The word that is given, else what the other parameters imply.
 Reflectance reflectance_of(const LobeSpec& spec) {
@@ -36,8 +27,9 @@ Reflectance reflectance_of(const LobeSpec& spec) {
 
 template <class Real>
 struct Oracle<Real>::Lobe {
-  Model model;
+  std::string model;
   Reflectance reflectance;
+  bool full;  // of Oren and Nayar's forms
   std::map<std::string, std::vector<double>> numbers;
 
   [[nodiscard]] Real at(const std::string& name, std::size_t channel = 0) const {
@@ -48,7 +40,10 @@ struct Oracle<Real>::Lobe {
 
 template <class Real>
 typename Oracle<Real>::Lobe Oracle<Real>::lobe_of(const LobeSpec& spec) {
-  Lobe lobe{model_of(spec.model), reflectance_of(spec), {{"scale", {1.0}}}};
+  const auto form = spec.parameters.find("form");
+  const bool is_short =
+      form != spec.parameters.end() && std::get<std::string>(form->second) == "short";
+  Lobe lobe{spec.model, reflectance_of(spec), !is_short, {{"scale", {1.0}}}};
   for (const auto& [name, value] : spec.parameters) {
     if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
       lobe.numbers[name] = *numbers;
@@ -88,41 +83,51 @@ Real Oracle<Real>::fresnel(const Lobe& lobe, Real c, std::size_t channel) {
 template <class Real>
 Real Oracle<Real>::without_fresnel(const Lobe& lobe, const Pair& pair) {
   const auto& [wi, wo, h, hk] = pair;
-  switch (lobe.model) {
-    case Model::ashikhmin_shirley:
-      return anisotropic_phong(h, lobe.at("nu"), lobe.at("nv")) / (hk * std::max(wi.z, wo.z));
-    case Model::cook_torrance:
-      return beckmann(h, lobe.at("m")) * v_groove(wi.z, wo.z, h.z, hk) / (4 * wi.z * wo.z);
-    case Model::ggx: {
-      const Real ax = lobe.at("alpha_x"), ay = lobe.at("alpha_y");
-      const Real shadowing = 1 / (1 + smith_lambda(wi, ax, ay) + smith_lambda(wo, ax, ay));
-      return trowbridge_reitz(h, ax, ay) * shadowing / (4 * wi.z * wo.z);
-    }
-    case Model::lambertian:
-      break;
+  if (lobe.model == "ashikhmin_shirley") {
+    return anisotropic_phong(h, lobe.at("nu"), lobe.at("nv")) / (hk * std::max(wi.z, wo.z));
   }
-  throw std::logic_error("not a specular lobe");
+  if (lobe.model == "cook_torrance") {
+    const Real d =
+        lobe.numbers.contains("s") ? cosine_power(h, lobe.at("s")) : beckmann(h, lobe.at("m"));
+    return d * v_groove(wi.z, wo.z, h.z, hk) / (4 * wi.z * wo.z);
+  }
+  if (lobe.model == "ggx") {
+    const Real ax = lobe.at("alpha_x"), ay = lobe.at("alpha_y");
+    const Real shadowing = 1 / (1 + smith_lambda(wi, ax, ay) + smith_lambda(wo, ax, ay));
+    return trowbridge_reitz(h, ax, ay) * shadowing / (4 * wi.z * wo.z);
+  }
+  if (lobe.model == "phong") return phong(wi, wo, lobe.at("s"));
+  if (lobe.model == "blinn_phong") return blinn_phong(h, lobe.at("s"));
+  if (lobe.model == "phong_mix") return phong_mix(wi, wo, h, lobe.at("s"), lobe.at("mix"));
+  if (lobe.model == "ward") return ward(h, hk, lobe.at("alpha_x"), lobe.at("alpha_y"));
+  throw std::out_of_range("no oracle for the model " + lobe.model);
+}
+
+// Channel `c` of a lobe, given what all channels share of it.
+template <class Real>
+Real Oracle<Real>::channel(const Lobe& lobe, const Pair& pair, Real shared, std::size_t c) {
+  if (lobe.model == "lambertian") return lobe.at("rd", c) / pi<Real>();
+  if (lobe.model == "ashikhmin_shirley") {
+    const Real rs = lobe.at("rs", c), diffuse = coupled_diffuse(pair.wi.z, pair.wo.z);
+    return lobe.at("scale", c) * shared * schlick(pair.hk, rs) +
+           lobe.at("rd", c) * (1 - rs) * diffuse;
+  }
+  const Real colour = lobe.model == "ward" ? lobe.at("rs", c) : fresnel(lobe, pair.hk, c);
+  return lobe.at("scale", c) * shared * colour;
 }
 
 template <class Real>
 void Oracle<Real>::add(const Lobe& lobe, const Pair& pair, std::span<Real> f) {
-  if (lobe.model == Model::lambertian) {
-    for (std::size_t c = 0; c < f.size(); ++c) f[c] += lobe.at("rd", c) / pi<Real>();
-    return;
-  }
-  const Real shared = without_fresnel(lobe, pair);
-  if (lobe.model != Model::ashikhmin_shirley) {
+  if (lobe.model == "oren_nayar") {
+    const auto facets = oren_nayar(pair.wi, pair.wo, lobe.at("sigma"), lobe.full);
     for (std::size_t c = 0; c < f.size(); ++c) {
-      f[c] += lobe.at("scale", c) * shared * fresnel(lobe, pair.hk, c);
+      const Real rd = lobe.at("rd", c);
+      f[c] += std::max(Real(0), rd / pi<Real>() * (facets.once + rd * facets.twice));
     }
     return;
   }
-  const Real diffuse = coupled_diffuse(pair.wi.z, pair.wo.z);
-  for (std::size_t c = 0; c < f.size(); ++c) {
-    const Real rs = lobe.at("rs", c);
-    f[c] += lobe.at("scale", c) * shared * schlick(pair.hk, rs);
-    f[c] += lobe.at("rd", c) * (1 - rs) * diffuse;
-  }
+  const Real shared = lobe.model == "lambertian" ? Real(0) : without_fresnel(lobe, pair);
+  for (std::size_t c = 0; c < f.size(); ++c) f[c] += channel(lobe, pair, shared, c);
 }
 
 template <class Real>

@@ -36,6 +36,7 @@ class Oracle {
   static Lobe lobe_of(const LobeSpec& spec);
   static Real fresnel(const Lobe& lobe, Real c, std::size_t channel);
   static Real without_fresnel(const Lobe& lobe, const Pair& pair);
+  static Real channel(const Lobe& lobe, const Pair& pair, Real shared, std::size_t c);
   static void add(const Lobe& lobe, const Pair& pair, std::span<Real> f);
 
   std::shared_ptr<const std::vector<Lobe>> lobes_;

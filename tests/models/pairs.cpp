@@ -25,6 +25,7 @@ class Generator {
     repeat(PairKind::grazing, 500, [this] { add(grazing(), grazing()); });
     repeat(PairKind::exact_mirror, 400, [this] { add_exact_mirror(); });
     repeat(PairKind::opposite, 500, [this] { add_opposite(); });
+    repeat(PairKind::across, 500, [this] { add_across(); });
     repeat(PairKind::tiny_z, 400, [this] { add_tiny_z(); });
     add_special();
     add_off_unit(1500);
@@ -84,6 +85,16 @@ class Generator {
     if (uniform(0, 1) < 0.2) wo = {-wi[0], -wi[1], wo[2]};
     add(wi, wo);
   }
+  void add_across() {
+    const Direction wi = uniform(0, 1) < 0.2 ? grazing() : hemisphere(), any = hemisphere();
+    const Direction mirrored{-wi[0], -wi[1], wi[2]};
+    Direction wo{mirrored[1] * any[2] - mirrored[2] * any[1],
+                 mirrored[2] * any[0] - mirrored[0] * any[2],
+                 mirrored[0] * any[1] - mirrored[1] * any[0]};
+    const double length = std::copysign(std::hypot(wo[0], wo[1], wo[2]), wo[2]);
+    for (double& component : wo) component /= length;
+    add(wi, wo);
+  }
   // Down to the smallest denormal float32, for T = double too.
   double tiny() {
     constexpr std::array<double, 5> kTiny{1e-12, 1e-30, 1e-38, 1e-39, 1.4e-45};
@@ -135,8 +146,8 @@ class Generator {
 
 std::string_view name_of(PairKind kind) {
   constexpr std::array<std::string_view, kPairKinds> kNames{
-      "hemisphere",   "near mirror", "grazing lobe", "retro",   "grazing",
-      "exact mirror", "opposite",    "tiny z",       "special", "off unit"};
+      "hemisphere", "near mirror", "grazing lobe", "retro",   "grazing", "exact mirror",
+      "opposite",   "tiny z",      "across",       "special", "off unit"};
   return kNames.at(static_cast<std::size_t>(kind));
 }
 

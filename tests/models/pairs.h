@@ -17,10 +17,11 @@ enum class PairKind : std::uint8_t {
   exact_mirror,  // h = n exactly
   opposite,      // wo nearly -wi, both just above the horizon
   tiny_z,        // z down to the smallest positive float32
+  across,        // wo at right angles to the mirror image of wi
   special,       // along the axes and the normal, h in a coordinate plane
   off_unit,      // any of the above, up to 9e-4 off unit length
 };
-inline constexpr std::size_t kPairKinds = 10;
+inline constexpr std::size_t kPairKinds = 11;
 
 std::string_view name_of(PairKind kind);
 

@@ -18,6 +18,9 @@ inline long double exponential(long double x) { return std::exp(x); }
 inline double root(double x) { return std::sqrt(x); }
 inline double power(double x, double y) { return std::pow(x, y); }
 inline double exponential(double x) { return std::exp(x); }
+inline double arctangent(double y, double x) { return std::atan2(y, x); }
+inline long double arctangent(long double y, long double x) { return std::atan2(y, x); }
+inline Quad arctangent(Quad y, Quad x) { return atan2q(y, x); }
 inline Quad root(Quad x) { return sqrtq(x); }
 inline Quad power(Quad x, Quad y) { return powq(x, y); }
 inline Quad exponential(Quad x) { return expq(x); }

@@ -13,24 +13,27 @@
 
 namespace gonio::testing {
 
-// Pair by pair, channel by channel.
-template <class Out, class In>
-std::vector<Out> library_values(const Material& material,
-                                const std::vector<DirectionPair<In>>& pairs, Isa isa) {
+// What `run` writes for a batch of the pairs: pair by pair, channel by channel.
+template <class Out, class In, class Run>
+std::vector<Out> batch_values(int channels, const std::vector<DirectionPair<In>>& pairs,
+                              const Run& run) {
   std::vector<In> wi, wo;
   for (const auto& pair : pairs) {
     wi.insert(wi.end(), pair.wi.begin(), pair.wi.end());
     wo.insert(wo.end(), pair.wo.begin(), pair.wo.end());
   }
-  const int channels = material.channels();
   // A value that is not written shows as an improper one.
   std::vector<Out> values(pairs.size() * static_cast<std::size_t>(channels), Out(-1));
-  evaluate(
-      material,
-      Batch<In, Out>{Directions<In>::interleaved(wi.data()), Directions<In>::interleaved(wo.data()),
-                     pairs.size(), Values<Out>::interleaved(values.data(), channels), nullptr},
-      isa);
+  run(Batch<In, Out>{Directions<In>::interleaved(wi.data()), Directions<In>::interleaved(wo.data()),
+                     pairs.size(), Values<Out>::interleaved(values.data(), channels), nullptr});
   return values;
+}
+
+template <class Out, class In>
+std::vector<Out> library_values(const Material& material,
+                                const std::vector<DirectionPair<In>>& pairs, Isa isa) {
+  return batch_values<Out>(material.channels(), pairs,
+                           [&](const auto& batch) { evaluate(material, batch, isa); });
 }
 
 template <class Real, class In>

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/version.h"
 #include "engine/registry.h"
 #include "server/harness.h"
@@ -34,6 +36,31 @@ TEST(ListModels, SaysWhatTheRegistrySays) {
   EXPECT_EQ(static_cast<std::size_t>(response.instruction_sets_size()), supported_isas().size());
   EXPECT_EQ(response.version(), kVersion);
   EXPECT_EQ(response.materials_size(), 0);
+}
+
+TEST(ListModels, CarriesThePresets) {
+  TestServer server;
+  grpc::ClientContext context;
+  v1::ListModelsResponse response;
+  ASSERT_TRUE(server.stub->ListModels(&context, {}, &response).ok());
+  int total = 0;
+  for (int m = 0; m < response.models_size(); ++m) {
+    const ModelDescription& model = models()[static_cast<std::size_t>(m)];
+    for (int p = 0; p < response.models(m).parameters_size(); ++p) {
+      const v1::Parameter& found = response.models(m).parameters(p);
+      const Parameter& expected = model.parameters[static_cast<std::size_t>(p)];
+      EXPECT_EQ(found.preset_partner(), expected.preset_partner);
+      ASSERT_EQ(static_cast<std::size_t>(found.presets_size()), expected.presets.size());
+      for (int i = 0; i < found.presets_size(); ++i, ++total) {
+        const Preset& preset = expected.presets[static_cast<std::size_t>(i)];
+        EXPECT_EQ(found.presets(i).name(), preset.name);
+        EXPECT_EQ(found.presets(i).source(), preset.source);
+        EXPECT_TRUE(std::equal(preset.rgb.begin(), preset.rgb.end(),
+                               found.presets(i).values().begin(), found.presets(i).values().end()));
+      }
+    }
+  }
+  EXPECT_GT(total, 0);
 }
 
 TEST(ListModels, OneByName) {

@@ -1,0 +1,18 @@
+// Laying out text for people. Thread safety: no state.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gonio::cli {
+
+// At least one space follows.
+std::string padded(std::string_view text, std::size_t width);
+
+// Breaks `text` into lines that start at column `indent`; the first one is already there.
+std::string wrapped(std::string_view text, std::size_t indent);
+
+std::string joined(const std::vector<std::string>& words, std::string_view separator);
+
+}  // namespace gonio::cli

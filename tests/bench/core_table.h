@@ -1,0 +1,31 @@
+// What core_bench prints at the end: speed and accuracy in one table.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <string>
+
+namespace gonio::bench {
+
+inline constexpr std::size_t kSizes[] = {1000, 4096, 10000, 65536, std::size_t{1} << 20};
+// Where combinations are timed: 64 channels of so many pairs still fit the second-level cache. And
+// what their benchmarks are called.
+inline constexpr std::size_t kSpectralPairs = 1000;
+inline constexpr const char* kSpectral = "/64 channels";
+inline constexpr const char* kSum = "sum of four lobes";
+
+// Keeps the best speed of every benchmark, in pairs per second.
+class Best : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override;
+  // 0 for what was not run.
+  [[nodiscard]] double rate(const std::string& name) const;
+
+ private:
+  std::map<std::string, double> rate_;
+};
+
+void print_table(const Best& best);
+
+}  // namespace gonio::bench
