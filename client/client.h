@@ -2,7 +2,7 @@
 //
 //   auto client = gonio::client::Client::connect("localhost:50051");
 //   auto gold = gonio::client::Material::from_json(
-//       R"({"model": "ggx", "parameters": {"f0": [1, 0.86, 0.57]}})");
+//       R"({"model": "ggx", "parameters": {"f0": [1, 0.71, 0.29]}})");
 //   std::vector<float> wi = {0, 0, 1}, wo = {0.6f, 0, 0.8f}, values(3);
 //   auto report = client->evaluate(*gold, wi, wo, values);
 //   if (!report) std::puts(report.error().message.c_str());

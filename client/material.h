@@ -30,7 +30,7 @@ class Material {
   // A material that the server holds.
   static Material named(std::string_view name);
 
-  // One model, e.g. Material::model("ggx", {{"f0", std::vector{1.0, 0.86, 0.57}}, {"alpha_x", 0.2},
+  // One model, e.g. Material::model("ggx", {{"f0", std::vector{1.0, 0.71, 0.29}}, {"alpha_x", 0.2},
   // {"alpha_y", 0.2}}).
   static Material model(std::string_view name, const Parameters& parameters = {});
 
@@ -39,7 +39,7 @@ class Material {
 
   // The same as people write it:
   //   {"name": "brushed-metal"}
-  //   {"model": "ggx", "parameters": {"f0": [1, 0.86, 0.57], "alpha_x": 0.2, "alpha_y": 0.2}}
+  //   {"model": "ggx", "parameters": {"f0": [1, 0.71, 0.29], "alpha_x": 0.2, "alpha_y": 0.2}}
   //   {"diffuse": {"model": "lambertian", "parameters": {"rd": 0.2}}, "specular": [{"model": ...,
   //   "parameters": ...}]}
   // Errors: invalid_argument for what is not JSON or not of this shape.

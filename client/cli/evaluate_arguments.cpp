@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kFooter = R"(
 Material M, in this order:
-  {...}                 inline JSON: {"model": "ggx", "parameters": {"f0": [1, 0.86, 0.57], "alpha_x": 0.2}},
+  {...}                 inline JSON: {"model": "ggx", "parameters": {"f0": [1, 0.71, 0.29], "alpha_x": 0.2}},
                         a sum {"diffuse": {...}, "specular": [{...}, ...]}, or {"name": "stored"}
   FILE.json, DIR/FILE   a file with such JSON
   FILE.binary           a measured material in MERL's format (not with --server)

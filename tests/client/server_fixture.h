@@ -42,7 +42,7 @@ class ServerFixture : public ::testing::Test {
 
   static client::Material ggx() {
     return client::Material::model(
-        "ggx", {{"f0", std::vector{1.0, 0.86, 0.57}}, {"alpha_x", 0.2}, {"alpha_y", 0.1}});
+        "ggx", {{"f0", std::vector{1.0, 0.71, 0.29}}, {"alpha_x", 0.2}, {"alpha_y", 0.1}});
   }
 
   gonio::testing::TempFolder folder_;

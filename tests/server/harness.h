@@ -88,7 +88,7 @@ inline void set_ggx(v1::Material& material, double alpha = 0.2) {
   material.Clear();
   material.set_model("ggx");
   auto& fields = *material.mutable_parameters()->mutable_fields();
-  for (double f0 : {1.0, 0.86, 0.57})
+  for (double f0 : {1.0, 0.71, 0.29})
     fields["f0"].mutable_list_value()->add_values()->set_number_value(f0);
   fields["alpha_x"].set_number_value(alpha);
   fields["alpha_y"].set_number_value(alpha);
@@ -103,7 +103,7 @@ inline v1::EvaluateRequest ggx_request(const PairArrays& pairs) {
 inline Material core_ggx(double alpha = 0.2) {
   MaterialSpec spec;
   spec.model = LobeSpec{"ggx",
-                        {{"f0", std::vector<double>{1.0, 0.86, 0.57}},
+                        {{"f0", std::vector<double>{1.0, 0.71, 0.29}},
                          {"alpha_x", std::vector<double>{alpha}},
                          {"alpha_y", std::vector<double>{alpha}}}};
   auto material = Material::create(spec);

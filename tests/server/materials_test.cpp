@@ -48,7 +48,7 @@ TEST(Materials, AreServedUnderTheirFilesNames) {
   const TempFolder folder;
   write(
       folder / "gold.json",
-      R"({"model": "ggx", "parameters": {"f0": [1, 0.86, 0.57], "alpha_x": 0.2, "alpha_y": 0.2}})");
+      R"({"model": "ggx", "parameters": {"f0": [1, 0.71, 0.29], "alpha_x": 0.2, "alpha_y": 0.2}})");
   write(folder / "paint.json",
         R"({"diffuse": {"model": "lambertian"}, "specular": [{"model": "cook_torrance"}]})");
   write(folder / "README.txt", "not a material");

@@ -33,7 +33,7 @@ TEST(Convert, UnknownEnumValuesAreNamed) {
 
 TEST(Convert, MaterialJson) {
   const auto material = material_from_json(
-      R"({"model": "ggx", "parameters": {"f0": [1, 0.86, 0.57], "alpha_x": 0.2}})");
+      R"({"model": "ggx", "parameters": {"f0": [1, 0.71, 0.29], "alpha_x": 0.2}})");
   ASSERT_TRUE(material.ok());
   EXPECT_EQ(material->model(), "ggx");
   EXPECT_EQ(material->parameters().fields().at("f0").list_value().values_size(), 3);

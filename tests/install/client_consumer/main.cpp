@@ -14,7 +14,7 @@ std::vector<float> ask_server(const char* address) {
       address, {.deadline = std::chrono::seconds(30), .max_retries = 8});
   if (!client.ok()) return std::puts(client.error().message.c_str()), std::vector<float>{};
   const auto gold = gonio::client::Material::model(
-      "ggx", {{"f0", std::vector{1.0, 0.86, 0.57}}, {"alpha_x", 0.2}, {"alpha_y", 0.3}});
+      "ggx", {{"f0", std::vector{1.0, 0.71, 0.29}}, {"alpha_x", 0.2}, {"alpha_y", 0.3}});
   std::vector<float> values(6);
   const auto report = client->evaluate(gold, kWi, kWo, values);
   if (!report.ok()) return std::puts(report.error().message.c_str()), std::vector<float>{};
@@ -23,7 +23,7 @@ std::vector<float> ask_server(const char* address) {
 
 std::vector<float> ask_self() {
   const gonio::LobeSpec gold{"ggx",
-                             {{"f0", std::vector{1.0, 0.86, 0.57}},
+                             {{"f0", std::vector{1.0, 0.71, 0.29}},
                               {"alpha_x", std::vector{0.2}},
                               {"alpha_y", std::vector{0.3}}}};
   const auto material = gonio::Material::create({.model = gold});
