@@ -5,12 +5,18 @@ set(KERNEL_FLAGS -O3 -fno-math-errno -fno-trapping-math -ffp-contract=fast -Wno-
 if(CMAKE_BUILD_TYPE STREQUAL "Debug")
   set(KERNEL_FLAGS -ffp-contract=fast -Wno-maybe-uninitialized)
 endif()
+set(SANITIZED_ISA avx512)
+set(SANITIZED_FLAGS)
 if(GONIO_SANITIZE)
   # Fully inlined packets multiply what a sanitizer adds: minutes a file. Memory and races are checked through calls, without
-  # debug information; undefined behaviour of scalars is checked everywhere else.
-  list(APPEND KERNEL_FLAGS -O1 -g0 -fno-sanitize=undefined)
+  # debug information, and in the widest set only, which has the most lanes to overrun a buffer with: the source is the same
+  # for all. Undefined behaviour of scalars is checked everywhere else.
+  list(APPEND KERNEL_FLAGS -O1 -g0)
   if(GONIO_SANITIZE MATCHES "address")
-    list(APPEND KERNEL_FLAGS --param asan-instrumentation-with-call-threshold=0)
+    set(SANITIZED_FLAGS -fsanitize=address --param=asan-instrumentation-with-call-threshold=0 --param=asan-stack=0
+                        -fno-sanitize-address-use-after-scope)
+  elseif(GONIO_SANITIZE MATCHES "thread")
+    set(SANITIZED_FLAGS -fsanitize=thread)
   endif()
 endif()
 set(FLAGS_baseline)
@@ -22,5 +28,9 @@ function(gonio_per_isa target isa source)
   add_library(${target} OBJECT ${source})
   target_compile_definitions(${target} PRIVATE GONIO_ISA=${isa} GONIO_ISA_${isa}=1)
   target_compile_options(${target} PRIVATE ${KERNEL_FLAGS} ${FLAGS_${isa}})
+  set_target_properties(${target} PROPERTIES GONIO_OWN_SANITIZERS ON)
+  if(isa STREQUAL SANITIZED_ISA)
+    target_compile_options(${target} PRIVATE ${SANITIZED_FLAGS})
+  endif()
   target_link_libraries(${target} PRIVATE gonio_models gonio_options)
 endfunction()

@@ -128,6 +128,8 @@ bool vanishes(const std::string& model) {
 TEST(Oracle, DoesNotDependOnItsOwnRounding) {
   auto pairs = hard_pairs<float>(7);
   std::shuffle(pairs.begin(), pairs.end(), std::mt19937(1));
+  // Where bounds are stated; nearer to the horizon tan(theta) magnifies every rounding.
+  std::erase_if(pairs, [](const auto& p) { return std::min(p.wi[2], p.wo[2]) < 1e-6F; });
   pairs.resize(3000);
   double worst = 0;
   for (const std::string& model : models_with_cases()) {
