@@ -59,10 +59,11 @@ struct Dual {
   }
   friend GONIO_INLINE Dual min(const Dual& a, const Dual& b) { return select(b.v < a.v, b, a); }
   friend GONIO_INLINE Dual max(const Dual& a, const Dual& b) { return select(a.v < b.v, b, a); }
-  friend GONIO_INLINE Dual sum_of_products(const Dual& a, const Dual& b, const Dual& c,
-                                           const Dual& d) {
-    return {sum_of_products(a.v, b.v, c.v, d.v),
-            sum_of_products(a.d, b.v, a.v, b.d) + sum_of_products(c.d, d.v, c.v, d.d)};
+  // a b + p q.
+  friend GONIO_INLINE Dual sum_of_products(const Dual& a, const Dual& b, const Dual& p,
+                                           const Dual& q) {
+    return {sum_of_products(a.v, b.v, p.v, q.v),
+            sum_of_products(a.d, b.v, a.v, b.d) + sum_of_products(p.d, q.v, p.v, q.d)};
   }
   friend GONIO_INLINE Dual sqrt(const Dual& a) {
     using std::sqrt;
