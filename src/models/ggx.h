@@ -17,29 +17,14 @@
 
 #include "models/description.h"
 #include "parts/lobe.h"
+#include "parts/roughness.h"
 
 namespace gonio {
 
 struct Ggx {
-  static constexpr std::array kParameters{Parameter{.name = "alpha_x",
-                                                    .meaning = "roughness along the tangent u",
-                                                    .unit = "1",
-                                                    .lower = 1e-3,
-                                                    .upper = 1,
-                                                    .start = 0.3,
-                                                    .scale = Scale::logarithmic},
-                                          Parameter{.name = "alpha_y",
-                                                    .meaning = "roughness along the tangent v",
-                                                    .unit = "1",
-                                                    .lower = 1e-3,
-                                                    .upper = 1,
-                                                    .start = 0.3,
-                                                    .scale = Scale::logarithmic},
-                                          fresnel::kKind,
-                                          fresnel::kF0,
-                                          fresnel::kEta,
-                                          fresnel::kK,
-                                          kScale};
+  static constexpr std::array kParameters{
+      roughness::kAlphaX, roughness::kAlphaY, fresnel::kKind, fresnel::kF0,
+      fresnel::kEta,      fresnel::kK,        kScale};
   static constexpr ModelDescription kDescription{
       .name = "ggx",
       .summary = "anisotropic Trowbridge-Reitz microfacets with height-correlated Smith masking",

@@ -102,31 +102,19 @@ struct OrenNayar {
             g.wo.z};
   }
 
+  // What a form refines are its terms.
+  template <class N, class Refined>
+  static GONIO_INLINE Refined terms(const Shape<typename N::WideScalar>&, const Stage<N>&,
+                                    const Refined& r) {
+    return r;
+  }
+
   struct Full;
   struct Short;
   using Kinds = TypeList<Full, Short>;
 };
 
-struct OrenNayar::Short {
-  template <class S>
-  using Shape = OrenNayar::Shape<S>;
-  template <class S>
-  using Channel = OrenNayar::Channel<S>;
-  template <class N>
-  using Stage = OrenNayar::Stage<N>;
-  template <class S>
-  static Shape<S> shape(const ParameterValues<S>& p) {
-    return OrenNayar::shape(p);
-  }
-  template <class S>
-  static Channel<S> channel(const ParameterValues<S>& p, int c) {
-    return OrenNayar::channel(p, c);
-  }
-  template <class N>
-  static GONIO_INLINE Stage<N> stage(const Shape<typename N::WideScalar>& k, const Geometry<N>& g) {
-    return OrenNayar::stage(k, g);
-  }
-
+struct OrenNayar::Short : OrenNayar {
   template <class N>
   struct Refined {
     typename N::Real once;
@@ -141,11 +129,6 @@ struct OrenNayar::Short {
     return {N::real(Wide(k.c1) + Wide(k.c2) * (max(s.across, Wide(0)) / most))};
   }
   template <class N>
-  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>&, const Stage<N>&,
-                                     const Refined<N>& r) {
-    return r;
-  }
-  template <class N>
   static GONIO_INLINE typename N::Real value(const Terms<N>& t,
                                              const Channel<typename N::WideScalar>&,
                                              const Channel<typename N::RealScalar>& c) {
@@ -153,7 +136,7 @@ struct OrenNayar::Short {
   }
 };
 
-struct OrenNayar::Full : OrenNayar::Short {
+struct OrenNayar::Full : OrenNayar {
   template <class N>
   struct Refined {
     typename N::Real once, twice;  // the factors of rd and of rd^2
@@ -186,11 +169,6 @@ struct OrenNayar::Full : OrenNayar::Short {
     const Wide third = to_side * (product * product) * ((sin_a + sin_b) / (cos_a + cos_b));
     return {N::real(Wide(k.c1) + sum_of_products(Wide(k.c2), second, Wide(k.c3), third)),
             N::real(Wide(1) - cos_phi * (vb * vb))};
-  }
-  template <class N>
-  static GONIO_INLINE Terms<N> terms(const Shape<typename N::WideScalar>&, const Stage<N>&,
-                                     const Refined<N>& r) {
-    return r;
   }
   template <class N>
   static GONIO_INLINE typename N::Real value(const Terms<N>& t,

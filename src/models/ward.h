@@ -12,6 +12,7 @@
 
 #include "models/description.h"
 #include "parts/lobe.h"
+#include "parts/roughness.h"
 
 namespace gonio {
 
@@ -23,21 +24,7 @@ struct Ward {
                                                     .upper = 1,
                                                     .start = 0.5,
                                                     .kind = Kind::colour},
-                                          Parameter{.name = "alpha_x",
-                                                    .meaning = "roughness along the tangent u",
-                                                    .unit = "1",
-                                                    .lower = 1e-3,
-                                                    .upper = 1,
-                                                    .start = 0.3,
-                                                    .scale = Scale::logarithmic},
-                                          Parameter{.name = "alpha_y",
-                                                    .meaning = "roughness along the tangent v",
-                                                    .unit = "1",
-                                                    .lower = 1e-3,
-                                                    .upper = 1,
-                                                    .start = 0.3,
-                                                    .scale = Scale::logarithmic},
-                                          kScale};
+                                          roughness::kAlphaX, roughness::kAlphaY, kScale};
   static constexpr ModelDescription kDescription{
       .name = "ward",
       .summary = "anisotropic Gaussian lobe of the half-vector's slope, with bounded albedo",

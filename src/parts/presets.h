@@ -31,20 +31,28 @@ inline constexpr std::array kReflectance{
     Preset{"copper", {0.95, 0.64, 0.54}, kRendering},
     Preset{"aluminium", {0.91, 0.92, 0.92}, kRendering}};
 
-inline constexpr std::array kIndex{Preset{"gold", {0.14, 0.43, 1.38}, kNobleMetals},
-                                   Preset{"silver", {0.05, 0.06, 0.04}, kNobleMetals},
-                                   Preset{"copper", {0.22, 1.02, 1.24}, kNobleMetals},
-                                   Preset{"aluminium", {1.5724, 1.0728, 0.6079}, kRakic},
-                                   Preset{"chromium", {3.09, 3.18, 2.33}, kTransitionMetals},
-                                   Preset{"iron", {2.92, 2.95, 2.59}, kTransitionMetals},
-                                   Preset{"nickel", {1.99, 1.92, 1.73}, kTransitionMetals}};
+struct Conductor {
+  std::string_view name;
+  std::array<double, 3> eta, k;
+  std::string_view source;
+};
+inline constexpr std::array kConductors{
+    Conductor{"gold", {0.14, 0.43, 1.38}, {3.697, 2.455, 1.914}, kNobleMetals},
+    Conductor{"silver", {0.05, 0.06, 0.04}, {4.483, 3.586, 2.657}, kNobleMetals},
+    Conductor{"copper", {0.22, 1.02, 1.24}, {3.747, 2.577, 2.397}, kNobleMetals},
+    Conductor{"aluminium", {1.5724, 1.0728, 0.6079}, {7.7354, 6.7839, 5.3676}, kRakic},
+    Conductor{"chromium", {3.09, 3.18, 2.33}, {3.34, 3.33, 3.14}, kTransitionMetals},
+    Conductor{"iron", {2.92, 2.95, 2.59}, {3.10, 2.93, 2.77}, kTransitionMetals},
+    Conductor{"nickel", {1.99, 1.92, 1.73}, {4.26, 3.61, 2.95}, kTransitionMetals}};
 
-inline constexpr std::array kExtinction{Preset{"gold", {3.697, 2.455, 1.914}, kNobleMetals},
-                                        Preset{"silver", {4.483, 3.586, 2.657}, kNobleMetals},
-                                        Preset{"copper", {3.747, 2.577, 2.397}, kNobleMetals},
-                                        Preset{"aluminium", {7.7354, 6.7839, 5.3676}, kRakic},
-                                        Preset{"chromium", {3.34, 3.33, 3.14}, kTransitionMetals},
-                                        Preset{"iron", {3.10, 2.93, 2.77}, kTransitionMetals},
-                                        Preset{"nickel", {4.26, 3.61, 2.95}, kTransitionMetals}};
+// One part of the complex index of all conductors.
+constexpr auto part_of_conductors(std::array<double, 3> Conductor::*part) {
+  std::array<Preset, kConductors.size()> presets;
+  for (std::size_t i = 0; i < presets.size(); ++i)
+    presets[i] = {kConductors[i].name, kConductors[i].*part, kConductors[i].source};
+  return presets;
+}
+inline constexpr auto kIndex = part_of_conductors(&Conductor::eta);
+inline constexpr auto kExtinction = part_of_conductors(&Conductor::k);
 
 }  // namespace gonio::presets

@@ -10,7 +10,6 @@
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
-#include <limits>
 #include <map>
 #include <random>
 #include <string>

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/evaluate.h"
+#include "engine/one_value.h"
 
 namespace gonio {
 namespace {
@@ -23,21 +24,6 @@ Error error_of(const MaterialSpec& spec, std::string_view prefix = {}) {
   const auto material = Material::create(spec, prefix);
   EXPECT_FALSE(material.ok());
   return material.ok() ? Error{} : material.error();
-}
-
-// f at one pair of directions.
-std::vector<double> value(const MaterialSpec& spec) {
-  const auto material = Material::create(spec);
-  EXPECT_TRUE(material.ok()) << material.error().message;
-  const std::array<double, 3> wi{0.6, 0, 0.8}, wo{0, 0.28, 0.96};
-  std::vector<double> f(static_cast<std::size_t>(material->channels()));
-  evaluate(
-      *material,
-      Batch<double, double>{Directions<double>::interleaved(wi.data()),
-                            Directions<double>::interleaved(wo.data()), 1,
-                            Values<double>::interleaved(f.data(), material->channels()), nullptr},
-      Isa::baseline);
-  return f;
 }
 
 TEST(Material, IsOneModelOrASumAndNothingElse) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "engine/material.h"
+#include "models/analytic_models.h"
 
 namespace gonio {
 namespace {
@@ -127,15 +128,7 @@ TEST_P(EachModel, RefusesParametersOfOthers) {
   }
 }
 
-std::vector<std::string> analytic_models() {
-  std::vector<std::string> names;
-  for (const ModelDescription& model : models()) {
-    if (model.role != Role::measured) names.emplace_back(model.name);
-  }
-  return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(Models, EachModel, ::testing::ValuesIn(analytic_models()),
+INSTANTIATE_TEST_SUITE_P(Models, EachModel, ::testing::ValuesIn(testing::analytic_models()),
                          [](const auto& name) { return name.param; });
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "engine/registry.h"
+#include "models/analytic_models.h"
 
 namespace gonio::testing {
 namespace {
@@ -248,10 +248,8 @@ std::vector<Case> sum_cases() {
 }  // namespace
 
 std::vector<std::string> models_with_cases() {
-  std::vector<std::string> names{"sum"};
-  for (const ModelDescription& model : models()) {
-    if (model.role != Role::measured) names.emplace_back(model.name);
-  }
+  std::vector<std::string> names = analytic_models();
+  names.insert(names.begin(), "sum");
   return names;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/registry.h"
+#include "models/analytic_models.h"
 #include "models/draws.h"
 #include "models/pairs.h"
 
@@ -28,8 +28,7 @@ struct Subject {
       derivative;
 };
 
-// The names of the registry's analytic models, and the one of a name as the library has it.
-std::vector<std::string> analytic_models();
+// The model of this name as the library has it.
 Subject library_subject(std::string_view model);
 std::vector<double> library_derivative(const MaterialSpec& spec, const std::string& by,
                                        const std::vector<DirectionPair<double>>& pairs, Isa isa);

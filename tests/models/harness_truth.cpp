@@ -1,6 +1,5 @@
 // The checks that hold a model against the oracle.
 #include <algorithm>
-#include <random>
 
 #include "models/compare.h"
 #include "models/findings.h"
@@ -9,15 +8,6 @@
 
 namespace gonio::testing {
 namespace {
-
-template <class T>
-std::vector<DirectionPair<T>> some_pairs(std::uint64_t seed, std::size_t count, double least_z) {
-  auto pairs = hard_pairs<T>(seed);
-  std::erase_if(pairs, [&](const auto& p) { return std::min(p.wi[2], p.wo[2]) < least_z; });
-  std::shuffle(pairs.begin(), pairs.end(), std::mt19937_64(seed));
-  pairs.resize(std::min(pairs.size(), count));
-  return pairs;
-}
 
 template <class T>
 void hold(const Draw& draw, const std::vector<DirectionPair<T>>& pairs, const auto& got,
@@ -113,8 +103,8 @@ Findings check_accuracy(const Subject& subject) {
   std::uint64_t seed = 50;
   for (const Draw& draw : draws_of(subject.description)) {
     if (notes.full()) break;
-    const auto floats = some_pairs<float>(++seed, 250, 0);
-    const auto doubles = some_pairs<double>(++seed, 250, 0);
+    const auto floats = some_hard_pairs<float>(++seed, 250, 0);
+    const auto doubles = some_hard_pairs<double>(++seed, 250, 0);
     for (const Isa isa : supported_isas()) {
       hold(draw, floats, subject.fast(draw.spec, floats, isa), Precision::fast,
            subject.description.fast.relative, notes);
@@ -130,7 +120,7 @@ Findings check_derivatives(const Subject& subject) {
   std::uint64_t seed = 500;
   for (const Draw& draw : draws_of(subject.description)) {
     if (notes.full()) break;
-    Sampled sampled{some_pairs<double>(++seed, 80, 1e-3), {}};
+    Sampled sampled{some_hard_pairs<double>(++seed, 80, 1e-3), {}};
     sampled.f = oracle_values(Oracle<Quad>(draw.spec), sampled.pairs);
     for (const Parameter& p : subject.description.parameters) {
       const std::string name(p.name);

@@ -1,8 +1,10 @@
 // Direction pairs that are hard on a BRDF: every place where a naive formula is known to fail.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <random>
 #include <string_view>
 #include <vector>
 
@@ -35,5 +37,16 @@ struct DirectionPair {
 // off_unit. T is float or double.
 template <class T>
 std::vector<DirectionPair<T>> hard_pairs(std::uint64_t seed);
+
+// `count` of them at random, or all there are, with both z at least `least_z`.
+template <class T>
+std::vector<DirectionPair<T>> some_hard_pairs(std::uint64_t seed, std::size_t count,
+                                              double least_z = -1) {
+  auto pairs = hard_pairs<T>(seed);
+  std::erase_if(pairs, [&](const auto& p) { return std::min(p.wi[2], p.wo[2]) < least_z; });
+  std::shuffle(pairs.begin(), pairs.end(), std::mt19937_64(seed));
+  pairs.resize(std::min(pairs.size(), count));
+  return pairs;
+}
 
 }  // namespace gonio::testing

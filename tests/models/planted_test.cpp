@@ -10,9 +10,6 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-template <class T>
-using Change = std::function<T(const DirectionPair<T>&, T value)>;
-
 // Values with an error planted in both precisions.
 template <class Error>
 Subject with_values(Subject subject, const Error& error) {

@@ -18,7 +18,6 @@ inline long double exponential(long double x) { return std::exp(x); }
 inline double root(double x) { return std::sqrt(x); }
 inline double power(double x, double y) { return std::pow(x, y); }
 inline double exponential(double x) { return std::exp(x); }
-inline double arctangent(double y, double x) { return std::atan2(y, x); }
 inline long double arctangent(long double y, long double x) { return std::atan2(y, x); }
 inline Quad arctangent(Quad y, Quad x) { return atan2q(y, x); }
 inline Quad root(Quad x) { return sqrtq(x); }

@@ -8,12 +8,17 @@ namespace gonio::testing {
 // What is promised holds above this value of f.
 inline constexpr double kAbove = 1e-30;
 
+// Whether f passes through 0 between directions, so that a rounding of any parameter counts there.
+inline bool crosses_zero(const MaterialSpec& spec) {
+  return spec.model && spec.model->model == "oren_nayar";
+}
+
 // The parameters of which, at some places, one rounding moves f by more than any bound: eta at the
 // critical angle of total reflection (eta < 1), where F has an infinite slope; all of Oren and
 // Nayar's, whose full form crosses 0.
 inline std::vector<std::string> delicate_parameters(const MaterialSpec& spec) {
   if (!spec.model) return {};
-  if (spec.model->model == "oren_nayar") return {"rd", "sigma"};
+  if (crosses_zero(spec)) return {"rd", "sigma"};
   const auto eta = spec.model->parameters.find("eta");
   if (eta == spec.model->parameters.end()) return {};
   const auto& values = std::get<std::vector<double>>(eta->second);
@@ -51,8 +56,7 @@ template <class In>
 std::vector<double> unsure_of(const MaterialSpec& spec, Precision precision,
                               const std::vector<DirectionPair<In>>& pairs,
                               const std::vector<Quad>& truth) {
-  const bool crosses_zero = spec.model && spec.model->model == "oren_nayar";
-  if (precision == Precision::fast && !crosses_zero) return {};
+  if (precision == Precision::fast && !crosses_zero(spec)) return {};
   const double rounding = precision == Precision::fast ? 0x1p-24 : 0x1p-52;
   std::vector<double> unsure = shift_by_rounding(spec, pairs, truth, rounding);
   for (double& shift : unsure) shift = shift > 16 * rounding ? shift : 0;
