@@ -1,13 +1,12 @@
 #include "engine/evaluate.h"
 
-#include <xmmintrin.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <cstdint>
 #include <type_traits>
 
+#include "engine/flush_to_zero.h"
 #include "engine/layout.h"
 #include "engine/material_impl.h"
 #include "engine/thread_pool.h"
@@ -20,20 +19,6 @@ constexpr std::size_t kAlignment = 64;
 constexpr std::size_t kGrain = 16;           // pairs of the widest packet
 constexpr std::size_t kSmallestTile = 1024;  // pairs worth handing to another thread that is awake
 constexpr std::size_t kBriefPairs = 12'000;  // done within the time that waking a thread takes
-
-// Results too small for a normal number become 0 while this lives: a lobe's tail is full of them,
-// and each would cost a hundred cycles. Denormal inputs keep their value.
-class FlushToZero {
- public:
-  // Not what the caller has set: rounding and denormal inputs decide bits, too.
-  FlushToZero() : before_(_mm_getcsr()) { _mm_setcsr(_MM_MASK_MASK | _MM_FLUSH_ZERO_ON); }
-  ~FlushToZero() { _mm_setcsr(before_); }
-  FlushToZero(const FlushToZero&) = delete;
-  FlushToZero& operator=(const FlushToZero&) = delete;
-
- private:
-  unsigned before_;
-};
 
 template <class In>
 struct InputScratch {

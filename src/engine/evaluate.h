@@ -27,6 +27,7 @@ inline constexpr std::uint8_t zero = 4;
 inline constexpr std::uint8_t incident_below_horizon = 8;
 inline constexpr std::uint8_t outgoing_below_horizon = 16;
 inline constexpr std::uint8_t outside_data = 32;
+inline constexpr std::uint8_t bad_number = 64;  // of a sample: a number outside [0, 1)
 }  // namespace flag
 
 // A view of directions: component c of direction i is at c[i * stride].

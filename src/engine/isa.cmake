@@ -23,9 +23,9 @@ set(FLAGS_baseline)
 set(FLAGS_avx2 -mavx2 -mfma)
 set(FLAGS_avx512 -mavx512f -mavx512dq -mavx512vl -mavx512bw -mavx2 -mfma)
 
-# gonio_per_isa(TARGET ISA SOURCE): the source as an object library for one instruction set.
-function(gonio_per_isa target isa source)
-  add_library(${target} OBJECT ${source})
+# gonio_per_isa(TARGET ISA SOURCE...): the sources as an object library for one instruction set.
+function(gonio_per_isa target isa)
+  add_library(${target} OBJECT ${ARGN})
   target_compile_definitions(${target} PRIVATE GONIO_ISA=${isa} GONIO_ISA_${isa}=1)
   target_compile_options(${target} PRIVATE ${KERNEL_FLAGS} ${FLAGS_${isa}})
   set_target_properties(${target} PROPERTIES GONIO_OWN_SANITIZERS ON)

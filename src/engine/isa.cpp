@@ -3,6 +3,7 @@
 #include <array>
 
 #include "engine/kernel.h"
+#include "engine/sampling_kernel.h"
 
 namespace gonio {
 namespace {
@@ -48,6 +49,18 @@ const KernelTable& kernels(Isa isa) {
       break;
   }
   return baseline::kKernels;
+}
+
+const SamplingTable& sampling_kernels(Isa isa) {
+  switch (isa) {
+    case Isa::avx512:
+      return avx512::kSampling;
+    case Isa::avx2:
+      return avx2::kSampling;
+    case Isa::baseline:
+      break;
+  }
+  return baseline::kSampling;
 }
 
 }  // namespace gonio

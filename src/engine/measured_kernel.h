@@ -94,6 +94,14 @@ GONIO_INLINE typename N::Real fetch(const float* table, typename N::Wide cell, i
       typename N::Real(gather(table + channel, cell * typename N::Wide(MeasuredTable::kChannels)));
 }
 
+// The rare path: pairs that a measured table knows nothing of.
+[[gnu::noinline]] static void note_outside(std::size_t i, unsigned outside, std::uint8_t* flags) {
+  if (flags == nullptr) return;
+  for (std::size_t lane = 0; lane < raw::kWidth; ++lane) {
+    if ((outside >> lane & 1U) != 0) flags[i + lane] = flag::outside_data;
+  }
+}
+
 template <class N, bool kLinear, class In>
 void measured(const void* constants, const KernelInput<In>& in,
               const KernelOutput<typename N::Out>& out) {

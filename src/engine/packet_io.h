@@ -1,6 +1,7 @@
 // Loading packets of directions, and saying what is wrong with the pairs that cannot be evaluated.
 #pragma once
 
+#include "engine/direction_flags.h"
 #include "engine/evaluate.h"
 #include "engine/kernel.h"
 #include "numeric/number.h"
@@ -27,19 +28,6 @@ GONIO_INLINE Geometry<N> load_geometry(const KernelInput<In>& in, std::size_t i)
           load<typename N::Real>(in.wi, i), load<typename N::Real>(in.wo, i)};
 }
 
-// The flags of one direction. `below` is the flag for a direction at or below the horizon.
-GONIO_INLINE std::uint8_t direction_flags(double x, double y, double z, std::uint8_t below) {
-  if (!(x - x == 0 && y - y == 0 && z - z == 0)) return flag::not_finite;  // NaN and infinity alike
-  if (x == 0 && y == 0 && z == 0) return flag::zero;
-  constexpr double kLow = (1 - kLengthTolerance) * (1 - kLengthTolerance);
-  constexpr double kHigh = (1 + kLengthTolerance) * (1 + kLengthTolerance);
-  const double length2 = x * x + y * y + z * z;
-  std::uint8_t flags = 0;
-  if (!(length2 > kLow && length2 < kHigh)) flags |= flag::not_unit;
-  if (!(z > 0)) flags |= below;
-  return flags;
-}
-
 // The rare path: flags of the lanes that are not valid.
 template <class In>
 [[gnu::noinline]] void note_flags(const KernelInput<In>& in, std::size_t i, unsigned valid,
@@ -54,14 +42,6 @@ template <class In>
     // A length within rounding of the tolerance may look right here and wrong to the kernel, whose
     // word counts.
     flags[at] = found != 0 ? found : flag::not_unit;
-  }
-}
-
-// The rare path: pairs that a measured table knows nothing of.
-[[gnu::noinline]] static void note_outside(std::size_t i, unsigned outside, std::uint8_t* flags) {
-  if (flags == nullptr) return;
-  for (std::size_t lane = 0; lane < raw::kWidth; ++lane) {
-    if ((outside >> lane & 1U) != 0) flags[i + lane] = flag::outside_data;
   }
 }
 

@@ -21,6 +21,7 @@
 #include "numeric/type_list.h"
 #include "parts/fresnel.h"
 #include "parts/geometry.h"
+#include "parts/half_vector_sampling.h"
 #include "parts/lobe.h"
 #include "parts/presets.h"
 
@@ -144,6 +145,44 @@ struct AshikhminShirley {
     return cos * (Real(5. / 2) -
                   cos * (Real(5. / 2) -
                          cos * (Real(5. / 4) - cos * (Real(5. / 16) - cos * Real(1. / 32)))));
+  }
+
+  // Sampling: the paper's half-vectors (its equations 6 to 8, by one continuous map of the azimuth
+  // in the place of four), but none that reflects below the horizon. The diffuse term is left to
+  // the cosine.
+  using Drawn = AshikhminShirley;
+  template <class N>
+  using Aim = HalfVectorAim<N>;
+
+  template <class N>
+  static GONIO_INLINE Aim<N> aim(const Shape<typename N::WideScalar>&, const Geometry<N>& g) {
+    return Aim<N>(g);
+  }
+
+  template <class N>
+  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
+                                               const Stage<N>&, const Refined<N>& r,
+                                               const Aim<N>& aim) {
+    using Real = typename N::Real;
+    using std::sqrt;
+    const Real half_e = aim.by_azimuth(Real(-k.minus_half_nu), Real(-k.minus_half_nv));
+    const Real gain = aim.gain(PowerProfile<N>{half_e + Real(0.5)});
+    const Real cos_d = max(Real(0.5) * sqrt(r.h2), Real(1e-29));
+    return N::times_exp2(Real(k.norm) * gain / cos_d, r.exponent);
+  }
+
+  template <class N>
+  static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
+                                                  const Vec3<typename N::Real>& wi,
+                                                  const Xi<typename N::Real>& xi) {
+    using Real = typename N::Real;
+    using std::sqrt;
+    const Real half_nu = Real(-k.minus_half_nu), half_nv = Real(-k.minus_half_nv);
+    const auto at = turn(xi.u);
+    const auto phi =
+        unit_tangent(sqrt(half_nv + Real(0.5)) * at.cos, sqrt(half_nu + Real(0.5)) * at.sin);
+    const Real half_e = sum_of_products(half_nu, phi.x * phi.x, half_nv, phi.y * phi.y);
+    return draw_by_half_vector<N>(PowerProfile<N>{half_e + Real(0.5)}, phi, wi, xi);
   }
 
   template <class N>

@@ -13,6 +13,7 @@
 
 #include "models/description.h"
 #include "parts/cosine_power.h"
+#include "parts/half_vector_sampling.h"
 #include "parts/lobe.h"
 
 namespace gonio {
@@ -65,6 +66,36 @@ struct BlinnPhong {
   static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k,
                                                  const Stage<N>&, const Refined<N>& r) {
     return N::times_exp2(typename N::Real(k.norm), r.exponent);
+  }
+
+  // Sampling: half-vectors by (s+1)/(2 pi) (n.h)^s, none that reflects below the horizon.
+  template <class N>
+  using Aim = HalfVectorAim<N>;
+
+  template <class N>
+  static GONIO_INLINE Aim<N> aim(const Shape<typename N::WideScalar>&, const Geometry<N>& g) {
+    return Aim<N>(g);
+  }
+
+  template <class N>
+  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
+                                               const HalfVector<N>& half, const Stage<N>&,
+                                               const Refined<N>& r, const Aim<N>& aim) {
+    using Real = typename N::Real;
+    const Real width = Real(0.5 - k.minus_half_s);
+    const Real gain = aim.gain(PowerProfile<N>{width});
+    const Real cos_d4 = max(Real(2) * N::root(half.length2()), Real(1e-29));
+    return N::times_exp2(width * Real(0.318309886183790672) * gain / cos_d4, r.exponent);
+  }
+
+  template <class N>
+  static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
+                                                  const Vec3<typename N::Real>& wi,
+                                                  const Xi<typename N::Real>& xi) {
+    using Real = typename N::Real;
+    const auto phi = turn(xi.u);
+    return draw_by_half_vector<N>(PowerProfile<N>{Real(0.5 - k.minus_half_s)},
+                                  Tangent<Real>{phi.cos, phi.sin}, wi, xi);
   }
 };
 

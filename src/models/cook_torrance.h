@@ -16,6 +16,7 @@
 
 #include "models/description.h"
 #include "parts/cosine_power.h"
+#include "parts/half_vector_sampling.h"
 #include "parts/lobe.h"
 
 namespace gonio {
@@ -84,6 +85,11 @@ struct CookTorrance::Beckmann {
   static GONIO_INLINE Real factor(const Shape<S>& k, const Real& sec2) {
     return Real(k.norm) * (sec2 * sec2);
   }
+  // Of D cos(delta).
+  template <class N>
+  static GONIO_INLINE SlopeProfile<N> profile(const Shape<typename N::WideScalar>& k) {
+    return {typename N::Real(k.minus_inverse_m2)};
+  }
 };
 
 struct CookTorrance::CosinePower {
@@ -104,6 +110,10 @@ struct CookTorrance::CosinePower {
   template <class Real, class S>
   static GONIO_INLINE Real factor(const Shape<S>& k, const Real&) {
     return Real(k.norm);
+  }
+  template <class N>
+  static GONIO_INLINE PowerProfile<N> profile(const Shape<typename N::WideScalar>& k) {
+    return {typename N::Real(1 - k.minus_half_s)};
   }
 };
 
@@ -150,6 +160,54 @@ struct CookTorrance::WithDistribution {
     const Real sec2 = min(r.h2 / (z * z), Real(1e9));
     const Real masking = z / max(g.cos_max * max(Real(4) * g.cos_min * z, r.h2), Real(1e-37));
     return N::times_exp2(min(Real(1e37), Distribution::factor(k, sec2) * masking), r.exponent);
+  }
+
+  // Sampling by the visible normals of V-cavities: Heitz & d'Eon 2014, "Importance Sampling
+  // Microfacet-Based BSDFs using the Distribution of Visible Normals". A normal and its mirror
+  // image are chosen between by their cosines to wi; here only where both reflect to above the
+  // horizon, and no normal is drawn that does not.
+  template <class N>
+  using Aim = HalfVectorAim<N>;
+
+  template <class N>
+  static GONIO_INLINE Aim<N> aim(const Shape<typename N::WideScalar>&, const Geometry<N>& g) {
+    return Aim<N>(g);
+  }
+
+  template <class N>
+  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
+                                               const HalfVector<N>&, const Stage<N>&,
+                                               const Refined<N>& r, const Aim<N>& aim) {
+    using Real = typename N::Real;
+    const Colatitude<Real> lit = reach(aim.toward, aim.z);
+    const Real mass = Distribution::template profile<N>(k).mass(lit).one_minus;
+    const Real z = max(r.z, Real(1e-12)), sec2 = min(r.h2 / (z * z), Real(1e9));
+    // D cos(delta) / (4 wi.h), times 2, times wi.h / (2 (n.wi) cos(delta)) where the mirror image
+    // could be chosen as well.
+    const auto alone = (Real(0) < aim.toward) & (lit.cos2 * r.h2 < aim.x2 + aim.y2);
+    const Real factor = select(alone, z / r.h2, Real(0.25) / aim.cos_i);
+    return N::times_exp2(min(Real(1e37), Distribution::factor(k, sec2) * factor / mass),
+                         r.exponent);
+  }
+
+  template <class N>
+  static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
+                                                  const Vec3<typename N::Real>& wi,
+                                                  const Xi<typename N::Real>& xi) {
+    using Real = typename N::Real;
+    using std::sqrt;
+    const auto phi = turn(xi.u);
+    const Real toward = sum_of_products(wi.x, phi.cos, wi.y, phi.sin);
+    const Colatitude<Real> lit = reach(toward, wi.z);
+    const auto profile = Distribution::template profile<N>(k);
+    const Colatitude<Real> theta = profile.at(xi.v * profile.mass(lit).one_minus);
+    const Real sine = sqrt(theta.sin2), cosine = sqrt(theta.cos2);
+    const Real up = wi.z * cosine;
+    const Real share =
+        select(theta.sin2 < lit.cos2, (up + absolute(toward) * sine) / (up + up), Real(1));
+    const Real side =
+        select(Real(0) < toward, sine, -sine) * select(xi.choice < share, Real(1), Real(-1));
+    return reflected(wi, {side * phi.cos, side * phi.sin, cosine});
   }
 };
 

@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "models/description.h"
+#include "parts/horizon.h"
 #include "parts/lobe.h"
 #include "parts/roughness.h"
 
@@ -79,6 +80,55 @@ struct Ggx {
                                                  const Stage<N>& g, const Refined<N>& r) {
     using Real = typename N::Real;
     return Real(k.norm) * (r.ratio * r.ratio) / max(g.visible, Real(1e-38));
+  }
+
+  // Sampling by bounded visible normals: Eto & Tokuyoshi 2023, "Bounded VNDF Sampling for
+  // Smith-GGX Reflections", listing 1 and 2. Roughness up to 1.
+  template <class N>
+  struct Aim {
+    typename N::Real below;  // D / (2 pdf)
+  };
+
+  // How far above its lower end the cap of normals is cut, and 1 + sin(theta_i).
+  template <class N>
+  static GONIO_INLINE typename N::Real cap(const Shape<typename N::WideScalar>& k,
+                                           const Vec3<typename N::Real>& wi) {
+    using Real = typename N::Real;
+    using std::sqrt;
+    const Real a2 = Real(k.ax2 < k.ay2 ? k.ax2 : k.ay2);
+    const Real s = Real(1) + sqrt(sum_of_products(wi.x, wi.x, wi.y, wi.y)), s2 = s * s;
+    return (Real(1) - a2) * s2 / (s2 + a2 * (wi.z * wi.z));
+  }
+
+  template <class N>
+  static GONIO_INLINE Aim<N> aim(const Shape<typename N::WideScalar>& k, const Geometry<N>& g) {
+    return {cap<N>(k, g.real_wi) * g.cos_i() + length<N>(k, g.real_wi)};
+  }
+
+  template <class N>
+  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
+                                               const HalfVector<N>&, const Stage<N>&,
+                                               const Refined<N>& r, const Aim<N>& aim) {
+    return typename N::Real(k.norm) * (r.ratio * r.ratio) / aim.below;
+  }
+
+  template <class N>
+  static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
+                                                  const Vec3<typename N::Real>& wi,
+                                                  const Xi<typename N::Real>& xi) {
+    using Real = typename N::Real;
+    using std::sqrt;
+    const Real ax = sqrt(Real(k.ax2)), ay = sqrt(Real(k.ay2));
+    const Real inverse = Real(1) / length<N>(k, wi);
+    const Vec3<Real> standard{ax * wi.x * inverse, ay * wi.y * inverse, wi.z * inverse};
+    const Real b = cap<N>(k, wi) * standard.z;
+    // 1 - z, so that sin^2 = (1 - z)(1 + z) keeps its digits.
+    const Real down = xi.v * (Real(1) + b), up = Real(2) - down;
+    const Real sine = sqrt(max(down * up, Real(0)));
+    const auto phi = turn(xi.u);
+    const Vec3<Real> m{ax * (standard.x + sine * phi.cos), ay * (standard.y + sine * phi.sin),
+                       standard.z + (Real(1) - down)};
+    return reflected(wi, (Real(1) / sqrt(dot(m, m))) * m);
   }
 
   // L(w): the length of w with its tangential part scaled by the roughness.

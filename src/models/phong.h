@@ -12,6 +12,7 @@
 #include "models/description.h"
 #include "parts/cosine_power.h"
 #include "parts/lobe.h"
+#include "parts/mirror_sampling.h"
 
 namespace gonio {
 
@@ -62,6 +63,32 @@ struct Phong {
   static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k,
                                                  const Stage<N>&, const Refined<N>& r) {
     return N::times_exp2(typename N::Real(k.norm), r.exponent);
+  }
+
+  // Sampling: (s+1)/(2 pi) (wr.wo)^s, nothing of it below the horizon.
+  template <class N>
+  using Aim = MirrorAim<N>;
+
+  template <class N>
+  static GONIO_INLINE Aim<N> aim(const Shape<typename N::WideScalar>&, const Geometry<N>& g) {
+    return Aim<N>(g);
+  }
+
+  template <class N>
+  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
+                                               const HalfVector<N>&, const Stage<N>&,
+                                               const Refined<N>& r, const Aim<N>& aim) {
+    using Real = typename N::Real;
+    const Real width = Real(0.5 - 0.5 * k.minus_s);
+    const Real gain = aim.gain(PowerProfile<N>{width});
+    return N::times_exp2(width * Real(0.318309886183790672) * gain, r.exponent);
+  }
+
+  template <class N>
+  static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
+                                                  const Vec3<typename N::Real>& wi,
+                                                  const Xi<typename N::Real>& xi) {
+    return draw_about_mirror<N>({typename N::Real(0.5 - 0.5 * k.minus_s)}, wi, xi);
   }
 };
 

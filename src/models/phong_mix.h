@@ -12,7 +12,9 @@
 
 #include "models/description.h"
 #include "parts/cosine_power.h"
+#include "parts/half_vector_sampling.h"
 #include "parts/lobe.h"
+#include "parts/mirror_sampling.h"
 
 namespace gonio {
 
@@ -82,6 +84,53 @@ struct PhongMix {
   static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>&,
                                                  const Stage<N>&, const Refined<N>& r) {
     return N::times_exp2(typename N::Real(1), r.exponent);
+  }
+
+  // Sampling: by the shares 1 - mix and mix, what phong draws for s and what blinn_phong draws for
+  // 4 s.
+  template <class N>
+  struct Aim {
+    MirrorAim<N> mirror;
+    HalfVectorAim<N> half;
+  };
+
+  template <class N>
+  static GONIO_INLINE Aim<N> aim(const Shape<typename N::WideScalar>&, const Geometry<N>& g) {
+    return {MirrorAim<N>(g), HalfVectorAim<N>(g)};
+  }
+
+  template <class N>
+  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
+                                               const HalfVector<N>& half, const Stage<N>& mirror,
+                                               const Refined<N>&, const Aim<N>& aim) {
+    using Real = typename N::Real;
+    const Real mirror_width = Real(0.5 - 0.5 * k.minus_s), half_width = Real(0.5 - 2 * k.minus_s);
+    const Real of_mirror = N::times_exp2(
+        mirror_width * aim.mirror.gain(PowerProfile<N>{mirror_width}),
+        cosine_power::of_base<N>(k.minus_s, k.of_zero, mirror.cos, mirror.one_minus_cos(half)));
+    const Real cos_d4 = max(Real(2) * N::root(half.length2()), Real(1e-29));
+    const Real of_half =
+        N::times_exp2(half_width * aim.half.gain(PowerProfile<N>{half_width}) / cos_d4,
+                      cosine_power::of_half_vector<N>(2 * k.minus_s, half));
+    return Real(0.318309886183790672) *
+           sum_of_products(Real(k.rest), of_mirror, Real(k.mix), of_half);
+  }
+
+  template <class N>
+  static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
+                                                  const Vec3<typename N::Real>& wi,
+                                                  const Xi<typename N::Real>& xi) {
+    using Real = typename N::Real;
+    const Real mix = Real(k.mix), rest = Real(k.rest);
+    const auto by_half = xi.choice < mix;
+    const Real left = select(by_half, xi.choice / max(mix, Real(1e-30)),
+                             (xi.choice - mix) / max(rest, Real(1e-30)));
+    const Xi<Real> inner{min(left, Real(1)), xi.u, xi.v};
+    const auto phi = turn(xi.u);
+    const Vec3<Real> a = draw_by_half_vector<N>(PowerProfile<N>{Real(0.5 - 2 * k.minus_s)},
+                                                Tangent<Real>{phi.cos, phi.sin}, wi, inner);
+    const Vec3<Real> b = draw_about_mirror<N>({Real(0.5 - 0.5 * k.minus_s)}, wi, inner);
+    return {select(by_half, a.x, b.x), select(by_half, a.y, b.y), select(by_half, a.z, b.z)};
   }
 };
 

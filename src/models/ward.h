@@ -11,6 +11,7 @@
 #include <array>
 
 #include "models/description.h"
+#include "parts/half_vector_sampling.h"
 #include "parts/lobe.h"
 #include "parts/roughness.h"
 
@@ -98,6 +99,41 @@ struct Ward {
     const Real z = max(r.z, Real(1e-9)), inverse2 = Real(1) / (z * z);
     return N::times_exp2(min(Real(1e37), Real(k.norm) * ((r.h2 * inverse2) * inverse2)),
                          r.exponent);
+  }
+
+  // Sampling: half-vectors by the Gaussian of their slopes, none that reflects below the horizon.
+  template <class N>
+  using Aim = HalfVectorAim<N>;
+
+  template <class N>
+  static GONIO_INLINE Aim<N> aim(const Shape<typename N::WideScalar>&, const Geometry<N>& g) {
+    return Aim<N>(g);
+  }
+
+  // exp(...) / (pi ax ay (n.h)^3) / (4 h.wi) = exp(...) |H|^2 / (2 pi ax ay Hz^3)
+  template <class N>
+  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
+                                               const HalfVector<N>&, const Stage<N>&,
+                                               const Refined<N>& r, const Aim<N>& aim) {
+    using Real = typename N::Real;
+    const Real rate = aim.by_azimuth(Real(k.minus_inverse_ax2), Real(k.minus_inverse_ay2));
+    const Real gain = aim.gain(SlopeProfile<N>{rate});
+    const Real z = max(r.z, Real(1e-9)), inverse = Real(1) / z;
+    const Real factor = (r.h2 * inverse) * inverse * inverse;
+    return N::times_exp2(min(Real(1e37), Real(0.5) * Real(k.norm) * factor * gain), r.exponent);
+  }
+
+  template <class N>
+  static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
+                                                  const Vec3<typename N::Real>& wi,
+                                                  const Xi<typename N::Real>& xi) {
+    using Real = typename N::Real;
+    using std::sqrt;
+    const Real rate_x = Real(k.minus_inverse_ax2), rate_y = Real(k.minus_inverse_ay2);
+    const auto at = turn(xi.u);
+    const auto phi = unit_tangent(sqrt(-rate_y) * at.cos, sqrt(-rate_x) * at.sin);
+    const Real rate = sum_of_products(rate_x, phi.x * phi.x, rate_y, phi.y * phi.y);
+    return draw_by_half_vector<N>(SlopeProfile<N>{rate}, phi, wi, xi);
   }
 };
 

@@ -39,6 +39,9 @@ GONIO_INLINE D sqrt(D x) { return _mm256_sqrt_pd(x); }
 GONIO_INLINE D round(D x) {
   return _mm256_round_pd(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
 }
+GONIO_INLINE F round(F x) {
+  return _mm256_round_ps(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+}
 GONIO_INLINE D floor(D x) { return _mm256_floor_pd(x); }
 
 // There is no estimate in double here; a division is exact and quick enough.
@@ -50,6 +53,10 @@ GONIO_INLINE D exponent(D x) {
   const __m256i biased = _mm256_srli_epi64(_mm256_castpd_si256(x), 52);
   const __m256i magic = _mm256_set1_epi64x(0x4330000000000000);  // 2^52
   return _mm256_castsi256_pd(_mm256_or_si256(biased, magic)) - _mm256_set1_pd(0x1p52 + 1023);
+}
+GONIO_INLINE F exponent(F x) {
+  const __m256i biased = _mm256_srli_epi32(_mm256_castps_si256(x), 23);
+  return _mm256_cvtepi32_ps(_mm256_sub_epi32(biased, _mm256_set1_epi32(127)));
 }
 // x * 2^k for whole k with a normal result.
 GONIO_INLINE D scale(D x, D k) {

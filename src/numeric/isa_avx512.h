@@ -38,6 +38,9 @@ GONIO_INLINE D sqrt(D x) { return _mm512_sqrt_pd(x); }
 GONIO_INLINE D round(D x) {
   return _mm512_roundscale_pd(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
 }
+GONIO_INLINE F round(F x) {
+  return _mm512_roundscale_ps(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+}
 GONIO_INLINE D floor(D x) {
   return _mm512_roundscale_pd(x, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
 }
@@ -51,6 +54,7 @@ GONIO_INLINE D divide_fast(D a, D b) {
 
 // floor(log2 x) for normal x > 0, and x * 2^k for whole k.
 GONIO_INLINE D exponent(D x) { return _mm512_getexp_pd(x); }
+GONIO_INLINE F exponent(F x) { return _mm512_getexp_ps(x); }
 GONIO_INLINE D scale(D x, D k) { return _mm512_scalef_pd(x, k); }
 GONIO_INLINE F scale(F x, F k) { return _mm512_scalef_ps(x, k); }
 

@@ -44,6 +44,7 @@ GONIO_INLINE F sqrt(F x) { return _mm_sqrt_ps(x); }
 GONIO_INLINE D sqrt(D x) { return _mm_sqrt_pd(x); }
 // Adding and taking away 1.5 * 2^52 leaves the nearest whole number, for |x| < 2^51.
 GONIO_INLINE D round(D x) { return (x + _mm_set1_pd(0x1.8p52)) - _mm_set1_pd(0x1.8p52); }
+GONIO_INLINE F round(F x) { return _mm_cvtepi32_ps(_mm_cvtps_epi32(x)); }  // for |x| < 2^31
 GONIO_INLINE D floor(D x) {
   const D nearest = round(x);
   return nearest - _mm_and_pd(_mm_cmpgt_pd(nearest, x), _mm_set1_pd(1));
@@ -58,6 +59,10 @@ GONIO_INLINE D exponent(D x) {
   const __m128i biased = _mm_srli_epi64(_mm_castpd_si128(x), 52);
   const __m128i magic = _mm_set1_epi64x(0x4330000000000000);  // 2^52
   return _mm_castsi128_pd(_mm_or_si128(biased, magic)) - _mm_set1_pd(0x1p52 + 1023);
+}
+GONIO_INLINE F exponent(F x) {
+  const __m128i biased = _mm_srli_epi32(_mm_castps_si128(x), 23);
+  return _mm_cvtepi32_ps(_mm_sub_epi32(biased, _mm_set1_epi32(127)));
 }
 // x * 2^k for whole k with a normal result.
 GONIO_INLINE D scale(D x, D k) {

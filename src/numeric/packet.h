@@ -51,6 +51,8 @@ struct Float {
     return Float(raw::multiply_add(a.v, b.v, c.v * d.v));
   }
   friend GONIO_INLINE Float sqrt(Float a) { return Float(raw::sqrt(a.v)); }
+  friend GONIO_INLINE Float round(Float a) { return Float(raw::round(a.v)); }
+  friend GONIO_INLINE Float exponent(Float a) { return Float(raw::exponent(a.v)); }
   friend GONIO_INLINE Float select(Mask m, Float a, Float b) {
     return Float(raw::select(m.m, a.v, b.v));
   }

@@ -79,6 +79,25 @@ struct Lobe {
             Fresnel::template terms<N>(refined.fresnel)};
   }
 
+  // Sampling: a Model that can draw its own lobe has draw(shape, wi, xi), the Aim<N> that its
+  // density needs of a pair beside the steps above, aim(shape, geometry), and
+  // density(shape, half, stage, refined, aim). All colours share it.
+  using Drawn = Model;
+  template <class N>
+  using Aim = typename Model::template Aim<N>;
+
+  template <class N>
+  static GONIO_INLINE Aim<N> aim(const Shape<typename N::WideScalar>& shape, const Geometry<N>& g) {
+    return Model::template aim<N>(shape, g);
+  }
+
+  template <class N>
+  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& shape,
+                                               const Stage<N>& stage, const Refined<N>& refined,
+                                               const Aim<N>& aim) {
+    return Model::template density<N>(shape, stage.half, stage.model, refined.model, aim);
+  }
+
   template <class N>
   static GONIO_INLINE typename N::Real value(const Terms<N>& t,
                                              const Channel<typename N::WideScalar>& wide,

@@ -1,0 +1,113 @@
+// What the kernels compiled per instruction set offer for sampling: plain tables of functions.
+//
+// Nothing here has code: this header is read by objects of different instruction sets.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/isa.h"
+#include "engine/kernel.h"
+
+namespace gonio {
+
+// The share of samples that each strategy of a mixture gets, by the angle of incidence: strategy k
+// has values[k * kNodes + i] at cos(theta_i) = (i / (kNodes - 1))^2, linear in the root between.
+// The last strategy gets the rest.
+struct MixtureTable {
+  static constexpr int kNodes = 17;
+  static constexpr int kMaxLobes = 4;
+  int given;  // strategies but the last
+  float values[kMaxLobes * kNodes];
+};
+
+// Pair by pair: the densities of one lobe, times `share` where it is not null, stored or added.
+template <class Out>
+struct DensityOutput {
+  Out* pdf;
+  const Out* share;
+  bool accumulate;
+};
+
+// A lobe's values and densities: what Kernel does, and the densities beside.
+template <class In, class Out>
+using DensityKernel = void (*)(const void* constants, const KernelInput<In>&,
+                               const KernelOutput<Out>&, const DensityOutput<Out>&);
+
+// Where samples are drawn: separate components, the count a multiple of the packet's width. Only
+// samples with chosen[i] == strategy are written, all if `chosen` is null.
+template <class T>
+struct DrawRun {
+  const T* wi[3];
+  const T* xi[3];
+  const T* chosen;
+  int strategy;
+  std::size_t count;
+  T* wo[3];
+};
+template <class T>
+using Draw = void (*)(const void* constants, const DrawRun<T>&);
+
+// The shares of all strategies for each wi, strategy k's at shares[k]; and, if xi is not null,
+// which one xi[i] chooses, xi[i] becoming its place in [0, 1) within the share.
+template <class T>
+struct ShareRun {
+  const T* wi[3];
+  std::size_t count;
+  T* shares[MixtureTable::kMaxLobes + 1];
+  T* xi;
+  T* chosen;
+};
+template <class T>
+using Share = void (*)(const MixtureTable&, const ShareRun<T>&);
+
+// Adds cosine_share (1 if null and `cosine`) * cos(theta_o) / pi to the densities in `pdf`, and,
+// for `channels` > 0, makes values f into weights f cos(theta_o) / pdf; 0 where the pdf is 0.
+template <class In, class Out>
+struct FinishRun {
+  const In* wo[3];
+  std::size_t count;
+  Out* pdf;
+  bool cosine;  // whether the cosine is one of the strategies
+  bool lobes;   // whether `pdf` holds densities of others
+  const Out* cosine_share;
+  Out* values;
+  std::size_t channel_stride;
+  int channels;
+};
+template <class In, class Out>
+using Finish = void (*)(const FinishRun<In, Out>&);
+
+// Of one kind of model; all null for one that draws no lobe of its own.
+struct SamplingKernels {
+  DensityKernel<float, float> fast;
+  DensityKernel<float, double> reference;
+  DensityKernel<double, double> reference64;
+  Draw<float> draw32;
+  Draw<double> draw64;
+};
+
+struct SamplingTable {
+  const SamplingKernels* analytic;  // by kind, in the order of the registry's kinds
+  Draw<float> cosine32;
+  Draw<double> cosine64;
+  Share<float> share32;
+  Share<double> share64;
+  Finish<float, float> fast;
+  Finish<float, double> reference;
+  Finish<double, double> reference64;
+};
+
+namespace baseline {
+extern const SamplingTable kSampling;
+}
+namespace avx2 {
+extern const SamplingTable kSampling;
+}
+namespace avx512 {
+extern const SamplingTable kSampling;
+}
+
+const SamplingTable& sampling_kernels(Isa isa);
+
+}  // namespace gonio

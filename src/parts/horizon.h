@@ -1,0 +1,77 @@
+// How far a lobe reaches before it meets the horizon, so that no sample is lost below it.
+//
+// A half-vector at colatitude theta and azimuth phi reflects wi to above the horizon as long as
+// theta < 45 degrees + beta/2, tan(beta) = tan(theta_i) cos(phi - phi_i): far on the side of the
+// light, little on the other. A lobe that is the same at phi and phi + 180 degrees is drawn so: an
+// azimuth as if there were no horizon, one of its two sides by their masses above it, and a
+// colatitude from what is left of that side.
+#pragma once
+
+#include <cmath>
+
+#include "numeric/inline.h"
+#include "numeric/vec.h"
+
+namespace gonio {
+
+// xi of one sample, each in [0, 1): which of two sides or lobes, and the direction.
+template <class T>
+struct Xi {
+  T choice, u, v;
+};
+
+template <class T>
+struct Colatitude {
+  T sin2, cos2;
+};
+
+template <class T>
+GONIO_INLINE T absolute(const T& x) {
+  return max(x, -x);
+}
+
+// The largest colatitude on the light's side; with sine and cosine exchanged, that on the other.
+// `toward` is sin(theta_i) cos(phi - phi_i) and z cos(theta_i), up to a common factor.
+template <class T>
+GONIO_INLINE Colatitude<T> reach(const T& toward, const T& z) {
+  using std::sqrt;
+  const T a = absolute(toward), r = sqrt(a * a + z * z), sum = r + a;
+  const T inverse = T(0.5) / max(r * sum, T(1e-37));
+  return {sum * sum * inverse, z * z * inverse};
+}
+
+// The direction that h, a unit vector, reflects k to.
+template <class T>
+GONIO_INLINE Vec3<T> reflected(const Vec3<T>& k, const Vec3<T>& h) {
+  return combine(T(2) * dot(k, h), h, T(-1), k);
+}
+
+// Profiles of lobes: the mass within and beyond a colatitude, and the colatitude that holds a given
+// part of the mass. A power of the cosine, the mass beyond theta being cos(theta)^(2 half_width):
+template <class N>
+struct PowerProfile {
+  using Real = typename N::Real;
+  Real half_width;
+  [[nodiscard]] GONIO_INLINE auto mass(const Colatitude<Real>& c) const {
+    return exp2_of(half_width * log2_one_minus(c.sin2));
+  }
+  [[nodiscard]] GONIO_INLINE Colatitude<Real> at(const Real& part) const {
+    const auto cos2 = exp2_of(log2_one_minus(part) / half_width);
+    return {cos2.one_minus, cos2.power};
+  }
+};
+// A Gaussian of the slope, the mass beyond theta being 2^(rate tan(theta)^2), rate < 0:
+template <class N>
+struct SlopeProfile {
+  using Real = typename N::Real;
+  Real rate;
+  [[nodiscard]] GONIO_INLINE auto mass(const Colatitude<Real>& c) const {
+    return exp2_of(rate * c.sin2 / max(c.cos2, Real(1e-18)));
+  }
+  [[nodiscard]] GONIO_INLINE Colatitude<Real> at(const Real& part) const {
+    const Real tan2 = log2_one_minus(part) / rate, cos2 = Real(1) / (Real(1) + tan2);
+    return {tan2 * cos2, cos2};
+  }
+};
+
+}  // namespace gonio
