@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "engine/flush_to_zero.h"
-#include "engine/layout.h"
 #include "engine/random_numbers.h"
+#include "engine/strategies.h"
 
 namespace gonio {
 namespace {
@@ -33,8 +33,9 @@ using Shares = std::array<double, kMaxStrategies>;
 // At one angle of incidence: g and the densities at all directions drawn.
 class Quadrature {
  public:
-  Quadrature(const Material::Impl& material, int lobes, double cos_i, double azimuth)
-      : material_(material), lobes_(lobes), count_(kDrawn * strategies()) {
+  Quadrature(const Material::Impl& material, const Sampler::Impl& sampler, double cos_i,
+             double azimuth)
+      : material_(material), sampler_(sampler), count_(kDrawn * strategies()) {
     const double sine = std::sqrt(1 - cos_i * cos_i);
     const double wi[3] = {sine * std::cos(azimuth), sine * std::sin(azimuth), cos_i};
     for (int c = 0; c < 3; ++c) {
@@ -45,7 +46,9 @@ class Quadrature {
     evaluate();
   }
 
-  [[nodiscard]] std::size_t strategies() const { return static_cast<std::size_t>(lobes_) + 1; }
+  [[nodiscard]] std::size_t strategies() const {
+    return static_cast<std::size_t>(sampler_.lobes) + 1;
+  }
 
   // The second moment of the weight, and its derivatives by the shares (but for their sign).
   double second_moment(const Shares& shares, Shares& falls) const {
@@ -96,8 +99,7 @@ class Quadrature {
                              {&wo_[0][at], &wo_[1][at], &wo_[2][at]}};
     };
     for (const MaterialPart& part : material_.parts) {
-      if (const SamplingKernels* kernels = sampling_of(part, table))
-        kernels->draw64(part.constants.get(), run());
+      if (draws(part, sampler_)) draw_part(part, sampler_, table, run());
     }
     table.cosine64(nullptr, run());
   }
@@ -114,7 +116,7 @@ class Quadrature {
       add_part(part, in, out);
       out.accumulate = true;
     }
-    Column& cosine = density_[static_cast<std::size_t>(lobes_)];
+    Column& cosine = density_[strategies() - 1];
     cosine.resize(count_);
     g_.assign(count_, 0);
     for (std::size_t i = 0; i < count_; ++i) {
@@ -127,19 +129,18 @@ class Quadrature {
 
   void add_part(const MaterialPart& part, const KernelInput<double>& in,
                 const KernelOutput<double>& out) {
-    const SamplingKernels* kernels = sampling_of(part, sampling_kernels(Isa::baseline));
-    if (kernels == nullptr) {
-      part.kernels(kernels_of_baseline()).reference64(part.constants.get(), in, out);
+    if (!draws(part, sampler_)) {
+      part.kernels(kernels(Isa::baseline)).reference64(part.constants.get(), in, out);
       return;
     }
     Column& density = density_[next_++];
     density.resize(count_);
-    kernels->reference64(part.constants.get(), in, out, {density.data(), nullptr, false});
+    evaluate_part(part, sampler_, Isa::baseline, in, out,
+                  DensityOutput<double>{density.data(), nullptr, false});
   }
-  static const KernelTable& kernels_of_baseline() { return gonio::kernels(Isa::baseline); }
 
   const Material::Impl& material_;
-  int lobes_;
+  const Sampler::Impl& sampler_;
   std::size_t count_, next_ = 0;
   Column wi_[3], wo_[3], g_;
   std::array<Column, kMaxStrategies> density_;
@@ -167,11 +168,12 @@ double best_shares(const Quadrature& at, bool with_cosine, Shares& shares) {
 void tabulate_shares(const Material::Impl& material, Sampler::Impl& sampler) {
   const FlushToZero flush;
   std::array<Shares, kNodes> with{}, without{};
-  bool cosine = false;
+  // A table that knows nothing somewhere needs it.
+  bool cosine = sampler.measured != nullptr;
   for (int i = 0; i < kNodes; ++i) {
     // The first node stands for what is next to grazing.
     const double root = std::max(i, 1) / (kNodes - 1.0) - (i == 0 ? 0.5 / (kNodes - 1.0) : 0);
-    const Quadrature at(material, sampler.lobes, root * root, std::numbers::pi / 4);
+    const Quadrature at(material, sampler, root * root, std::numbers::pi / 4);
     const auto node = static_cast<std::size_t>(i);
     const double moment = best_shares(at, true, with[node]);
     const double moment_without = best_shares(at, false, without[node]);

@@ -5,7 +5,7 @@
 #include "engine/direction_flags.h"
 #include "engine/flush_to_zero.h"
 #include "engine/layout.h"
-#include "engine/sampler_impl.h"
+#include "engine/strategies.h"
 
 namespace gonio {
 namespace {
@@ -37,7 +37,7 @@ class Run {
   Run(const Sampler& sampler, Isa isa, std::size_t padded, Scratch<In, Out>& scratch)
       : material_(sampler.material().impl()),
         sampler_(sampler.impl()),
-        table_(kernels(isa)),
+        isa_(isa),
         sampling_(sampling_kernels(isa)),
         padded_(padded),
         scratch_(scratch) {
@@ -53,13 +53,13 @@ class Run {
     DensityOutput<Out> density{scratch_.pdf, nullptr, false};
     std::size_t lobe = 0;
     for (const MaterialPart& part : material_.parts) {
-      if (const SamplingKernels* kernels = sampling_of(part, sampling_)) {
+      if (draws(part, sampler_)) {
         density.share = is_mixture() ? scratch_.shares[lobe] : nullptr;
-        density_of(*kernels, In(), Out())(part.constants.get(), in, out, density);
+        evaluate_part(part, sampler_, isa_, in, out, density);
         density.accumulate = true;
         ++lobe;
       } else {
-        kernel_of(part.kernels(table_), In(), Out())(part.constants.get(), in, out);
+        kernel_of(part.kernels(kernels(isa_)), In(), Out())(part.constants.get(), in, out);
       }
       out.accumulate = true;
     }
@@ -94,9 +94,8 @@ class Run {
   void draw(DrawRun<In> run) {
     if (!is_mixture()) run.chosen = nullptr;
     for (const MaterialPart& part : material_.parts) {
-      const SamplingKernels* kernels = sampling_of(part, sampling_);
-      if (kernels == nullptr) continue;
-      draw_of(*kernels, In())(part.constants.get(), run);
+      if (!draws(part, sampler_)) continue;
+      draw_part(part, sampler_, sampling_, run);
       ++run.strategy;
     }
     if (sampler_.cosine) cosine_of(sampling_, In())(nullptr, run);
@@ -119,7 +118,7 @@ class Run {
  private:
   const Material::Impl& material_;
   const Sampler::Impl& sampler_;
-  const KernelTable& table_;
+  Isa isa_;
   const SamplingTable& sampling_;
   std::size_t padded_;
   Scratch<In, Out>& scratch_;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 
 #include "engine/material_impl.h"
 #include "engine/sampler.h"
 #include "engine/sampling_kernel.h"
+#include "measured/table_sampling.h"
 
 namespace gonio {
 
@@ -13,16 +15,10 @@ struct Sampler::Impl {
   int lobes = 0;        // the parts of the material that draw for themselves, in their order
   bool cosine = false;  // whether the cosine is a strategy, too
   MixtureTable table{};
+  std::unique_ptr<const TableSampling> measured;  // of a measured material, its only part
 
   [[nodiscard]] int strategies() const { return lobes + (cosine ? 1 : 0); }
 };
-
-// Null for what is drawn by the cosine.
-inline const SamplingKernels* sampling_of(const MaterialPart& part, const SamplingTable& table) {
-  if (part.source != MaterialPart::Source::analytic) return nullptr;
-  const SamplingKernels& kernels = table.analytic[part.kernel];
-  return kernels.fast != nullptr ? &kernels : nullptr;
-}
 
 inline Draw<float> draw_of(const SamplingKernels& k, float) { return k.draw32; }
 inline Draw<double> draw_of(const SamplingKernels& k, double) { return k.draw64; }
