@@ -3,6 +3,7 @@
 //
 // One function per kind of model and precision; see analytic_kernel.h.
 #include <array>
+#include <type_traits>
 
 #include "engine/analytic_kernel.h"
 #include "engine/kernel.h"
@@ -52,7 +53,15 @@ constexpr auto kAnalytic = kernel_sets(AllKinds{});
 template <class T>
 void split(const T* __restrict xyz, std::size_t n, T* __restrict x, T* __restrict y,
            T* __restrict z) {
-  for (std::size_t i = 0; i < n; ++i) {
+  std::size_t i = 0;
+  if constexpr (std::is_same_v<T, float>) {
+    for (; i + raw::kWidth <= n; i += raw::kWidth) {
+      raw::F px, py, pz;
+      raw::split3(xyz + 3 * i, px, py, pz);
+      raw::store(x + i, px), raw::store(y + i, py), raw::store(z + i, pz);
+    }
+  }
+  for (; i < n; ++i) {
     x[i] = xyz[3 * i];
     y[i] = xyz[3 * i + 1];
     z[i] = xyz[3 * i + 2];
@@ -60,14 +69,25 @@ void split(const T* __restrict xyz, std::size_t n, T* __restrict x, T* __restric
 }
 
 template <class T>
+void join_three(const T* __restrict x, const T* __restrict y, const T* __restrict z, std::size_t n,
+                T* __restrict xyz) {
+  std::size_t i = 0;
+  if constexpr (std::is_same_v<T, float>) {
+    for (; i + raw::kWidth <= n; i += raw::kWidth)
+      raw::join3(raw::load(x + i), raw::load(y + i), raw::load(z + i), xyz + 3 * i);
+  }
+  for (; i < n; ++i) {
+    xyz[3 * i] = x[i];
+    xyz[3 * i + 1] = y[i];
+    xyz[3 * i + 2] = z[i];
+  }
+}
+
+template <class T>
 void join_channels(const T* __restrict planar, std::size_t channel_stride, int channels,
                    std::size_t n, T* __restrict out) {
   if (channels == 3) {
-    for (std::size_t i = 0; i < n; ++i) {
-      out[3 * i] = planar[i];
-      out[3 * i + 1] = planar[channel_stride + i];
-      out[3 * i + 2] = planar[2 * channel_stride + i];
-    }
+    join_three(planar, planar + channel_stride, planar + 2 * channel_stride, n, out);
     return;
   }
   const auto count = static_cast<std::size_t>(channels);

@@ -1,6 +1,8 @@
 // Runs of samples, and of pairs with their densities, through the sampling kernels.
 #include <algorithm>
+#include <bit>
 #include <cassert>
+#include <cstring>
 
 #include "engine/direction_flags.h"
 #include "engine/flush_to_zero.h"
@@ -28,6 +30,20 @@ struct Scratch {
 std::size_t padded_to(const KernelTable& table, std::size_t n) {
   const auto width = static_cast<std::size_t>(table.width);
   return (n + width - 1) / width * width;
+}
+
+// Calls back with the number of each flagged pair: most have no flag, and are passed by eight at a
+// time.
+template <class Found>
+void for_flagged(const std::uint8_t* flags, std::size_t n, const Found& found) {
+  for (std::size_t i = 0; i < n; i += sizeof(std::uint64_t)) {
+    std::uint64_t eight = 0;  // kRun and the scratch are whole eights
+    std::memcpy(&eight, flags + i, sizeof eight);
+    if (eight == 0) continue;
+    for (std::size_t k = i; k < std::min(i + sizeof eight, n); ++k) {
+      if (flags[k] != 0) found(k);
+    }
+  }
 }
 
 // A run of pairs on its way: values and densities of all parts, then the whole mixture's.
@@ -104,14 +120,12 @@ class Run {
   // What is flagged has no density.
   std::uint8_t clear_flagged(std::size_t n) {
     std::uint8_t any = 0;
-    for (std::size_t i = 0; i < n; ++i) any = static_cast<std::uint8_t>(any | scratch_.flags[i]);
-    if (any == 0) return any;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (scratch_.flags[i] == 0) continue;
+    for_flagged(scratch_.flags, n, [&](std::size_t i) {
+      any = static_cast<std::uint8_t>(any | scratch_.flags[i]);
       scratch_.pdf[i] = 0;
       for (int c = 0; c < material_.channels; ++c)
         scratch_.values[static_cast<std::size_t>(c) * padded_ + i] = 0;
-    }
+    });
     return any;
   }
 
@@ -160,50 +174,66 @@ struct Numbers {
   alignas(kAlignment) T xi[3][kRun];
   alignas(kAlignment) T chosen[kRun];
 
-  void load(const SampleBatch<T>& batch, std::size_t begin, std::size_t n, std::size_t padded) {
+  void load(const SampleBatch<T>& batch, std::size_t begin, std::size_t n, std::size_t padded,
+            const KernelTable& table) {
     T* const to[3] = {xi[0], xi[1], xi[2]};
     if (batch.xi == nullptr) {
       random_numbers(batch.numbers, batch.first + begin, batch.per_wi, n, to);
     } else {
-      const T* from = batch.xi + 3 * begin;
-      for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t k = 0; k < 3; ++k) xi[k][i] = from[3 * i + k];
-      }
+      layouts(table, T()).split(batch.xi + 3 * begin, n, xi[0], xi[1], xi[2]);
     }
     for (T* x : to) std::fill(x + n, x + padded, T(0));
   }
 
-  // Of the numbers as given.
+  // Notes which of the numbers as given are not in [0, 1).
   void note_bad(std::size_t n) {
-    for (std::size_t i = 0; i < n; ++i) {
-      bool good = true;
-      for (const auto& x : xi) good &= x[i] >= 0 && x[i] < 1;
-      bad_[i] = good ? 0 : flag::bad_number;
+    // The bits of numbers in [0, 1), read as a whole number, are those below the bits of 1.
+    using Bits = std::conditional_t<std::is_same_v<T, float>, std::uint32_t, std::uint64_t>;
+    Bits suspect = 0;
+    for (const auto& x : xi) {
+      for (std::size_t i = 0; i < n; ++i)
+        suspect |= static_cast<Bits>(std::bit_cast<Bits>(x[i]) >= std::bit_cast<Bits>(T(1)));
     }
+    any_bad_ = suspect != 0;
+    if (!any_bad_) return;
+    for (std::size_t i = 0; i < n; ++i)
+      bad_[i] =
+          is_number(xi[0][i]) && is_number(xi[1][i]) && is_number(xi[2][i]) ? 0 : flag::bad_number;
   }
   void add_flags(std::size_t n, std::uint8_t* flags) const {
+    if (!any_bad_) return;
     for (std::size_t i = 0; i < n; ++i) flags[i] |= bad_[i];
   }
-  [[nodiscard]] bool is_bad(std::size_t i) const { return bad_[i] != 0; }
+  [[nodiscard]] std::uint8_t flags_of(std::size_t i) const { return any_bad_ ? bad_[i] : 0; }
 
  private:
+  static bool is_number(T x) { return x >= 0 && x < 1; }
+  bool any_bad_ = false;
   std::uint8_t bad_[kRun]{};
 };
 
 // Each wi repeated for its samples.
 template <class T>
 void repeat_wi(const SampleBatch<T>& batch, std::size_t begin, std::size_t n, std::size_t padded,
-               T (&to)[3][kRun]) {
-  const std::uint64_t base = batch.first / batch.per_wi;
-  std::uint64_t sample = batch.first + begin;
-  for (std::size_t i = 0; i < n;) {
-    const std::uint64_t wi = sample / batch.per_wi, rest = (wi + 1) * batch.per_wi - sample;
-    const auto run = static_cast<std::size_t>(std::min<std::uint64_t>(rest, n - i));
-    const auto at = static_cast<std::ptrdiff_t>(wi - base) * batch.wi.stride;
-    std::fill_n(to[0] + i, run, batch.wi.x[at]);
-    std::fill_n(to[1] + i, run, batch.wi.y[at]);
-    std::fill_n(to[2] + i, run, batch.wi.z[at]);
-    i += run, sample += run;
+               const KernelTable& table, T (&to)[3][kRun]) {
+  const std::uint64_t sample = batch.first + begin, first = sample / batch.per_wi;
+  const Directions<T> wi =
+      advanced(batch.wi, static_cast<std::size_t>(first - batch.first / batch.per_wi));
+  if (batch.per_wi == 1) {
+    const T* unused[3];
+    lay_out(Directions<T>{wi.x, wi.y, wi.z, wi.stride}, n, padded, table, to, unused);
+    for (int c = 0; c < 3; ++c)
+      if (unused[c] != to[c]) std::copy_n(unused[c], padded, to[c]);
+    return;
+  }
+  std::uint64_t left = (first + 1) * batch.per_wi - sample;  // of this wi
+  std::ptrdiff_t at = 0;
+  for (std::size_t i = 0; i < n; at += wi.stride, left = batch.per_wi) {
+    const auto run = static_cast<std::size_t>(std::min<std::uint64_t>(left, n - i));
+    std::fill_n(to[0] + i, run, wi.x[at]);
+    std::fill_n(to[1] + i, run, wi.y[at]);
+    std::fill_n(to[2] + i, run, wi.z[at]);
+    i += run;
   }
   for (auto& component : to) std::fill(component + n, component + padded, component[n - 1]);
 }
@@ -214,21 +244,19 @@ template <class T>
 std::uint8_t settle_flagged(std::size_t n, const Numbers<T>& numbers, Scratch<T, T>& scratch,
                             std::uint64_t& lost) {
   std::uint8_t any = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    std::uint8_t& flags = scratch.flags[i];
-    if (flags == 0) continue;
+  for_flagged(scratch.flags, n, [&](std::size_t i) {
     const auto bad =
         static_cast<std::uint8_t>(direction_flags(scratch.wi[0][i], scratch.wi[1][i],
                                                   scratch.wi[2][i], flag::incident_below_horizon) |
-                                  (numbers.is_bad(i) ? flag::bad_number : 0));
-    flags = bad != 0 ? bad : flag::outgoing_below_horizon;
-    any = static_cast<std::uint8_t>(any | flags);
+                                  numbers.flags_of(i));
+    scratch.flags[i] = bad != 0 ? bad : flag::outgoing_below_horizon;
+    any = static_cast<std::uint8_t>(any | scratch.flags[i]);
     if (bad == 0) {
       ++lost;
     } else {
       for (auto& component : scratch.wo) component[i] = 0;
     }
-  }
+  });
   return any;
 }
 
@@ -244,8 +272,8 @@ SampleReport sample_all(const Sampler& sampler, const SampleBatch<T>& batch, Isa
     n = std::min(run_length(sampler), batch.count - begin);
     const std::size_t padded = padded_to(table, n);
     Run<T, T> run(sampler, isa, padded, scratch);
-    repeat_wi(batch, begin, n, padded, scratch.wi);
-    numbers.load(batch, begin, n, padded);
+    repeat_wi(batch, begin, n, padded, table, scratch.wi);
+    numbers.load(batch, begin, n, padded, table);
     if (batch.xi != nullptr) numbers.note_bad(n);
     const T* const wi[3] = {scratch.wi[0], scratch.wi[1], scratch.wi[2]};
     run.share(wi, numbers.xi[0], numbers.chosen);

@@ -138,4 +138,13 @@ GONIO_INLINE F gather(const float* table, D lo, D hi) {
   return _mm256_i32gather_ps(table, _mm256_inserti128_si256(_mm256_castsi128_si256(a), b, 1), 4);
 }
 
+// Between kWidth triples xyz xyz ... and their components. The compiler's own shuffles do.
+GONIO_INLINE void split3(const float* from, F& x, F& y, F& z) {
+  for (int i = 0; i < kWidth; ++i)
+    x[i] = from[3 * i], y[i] = from[3 * i + 1], z[i] = from[3 * i + 2];
+}
+GONIO_INLINE void join3(F x, F y, F z, float* to) {
+  for (int i = 0; i < kWidth; ++i) to[3 * i] = x[i], to[3 * i + 1] = y[i], to[3 * i + 2] = z[i];
+}
+
 }  // namespace gonio::avx2::raw

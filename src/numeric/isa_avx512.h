@@ -112,4 +112,31 @@ GONIO_INLINE F gather(const float* table, D lo, D hi) {
   return _mm512_i32gather_ps(_mm512_inserti64x4(_mm512_castsi256_si512(a), b, 1), table, 4);
 }
 
+// Between kWidth triples xyz xyz ... and their components.
+GONIO_INLINE void split3(const float* from, F& x, F& y, F& z) {
+  const F a = load(from), b = load(from + 16), c = load(from + 32);
+  // Of a and b together, then of that and c.
+  const auto pick = [&](__m512i ab, __m512i abc) {
+    return _mm512_permutex2var_ps(_mm512_permutex2var_ps(a, ab, b), abc, c);
+  };
+  x = pick(_mm512_setr_epi32(0, 3, 6, 9, 12, 15, 18, 21, 24, 27, 30, 0, 0, 0, 0, 0),
+           _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 17, 20, 23, 26, 29));
+  y = pick(_mm512_setr_epi32(1, 4, 7, 10, 13, 16, 19, 22, 25, 28, 31, 0, 0, 0, 0, 0),
+           _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 18, 21, 24, 27, 30));
+  z = pick(_mm512_setr_epi32(2, 5, 8, 11, 14, 17, 20, 23, 26, 29, 0, 0, 0, 0, 0, 0),
+           _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 16, 19, 22, 25, 28, 31));
+}
+GONIO_INLINE void join3(F x, F y, F z, float* to) {
+  // Of x and y together, then of that and z.
+  const auto put = [&](float* at, __m512i xy, __m512i xyz) {
+    store(at, _mm512_permutex2var_ps(_mm512_permutex2var_ps(x, xy, y), xyz, z));
+  };
+  put(to, _mm512_setr_epi32(0, 16, 0, 1, 17, 0, 2, 18, 0, 3, 19, 0, 4, 20, 0, 5),
+      _mm512_setr_epi32(0, 1, 16, 3, 4, 17, 6, 7, 18, 9, 10, 19, 12, 13, 20, 15));
+  put(to + 16, _mm512_setr_epi32(21, 0, 6, 22, 0, 7, 23, 0, 8, 24, 0, 9, 25, 0, 10, 26),
+      _mm512_setr_epi32(0, 21, 2, 3, 22, 5, 6, 23, 8, 9, 24, 11, 12, 25, 14, 15));
+  put(to + 32, _mm512_setr_epi32(0, 11, 27, 0, 12, 28, 0, 13, 29, 0, 14, 30, 0, 15, 31, 0),
+      _mm512_setr_epi32(26, 1, 2, 27, 4, 5, 28, 7, 8, 29, 10, 11, 30, 13, 14, 31));
+}
+
 }  // namespace gonio::avx512::raw
