@@ -144,13 +144,6 @@ void register_combinations() {
 
 int main(int argc, char** argv) {
   using namespace gonio::bench;
-  std::vector<char*> arguments(argv, argv + argc);
-  char interleave[] = "--benchmark_enable_random_interleaving=true",
-       repetitions[] = "--benchmark_repetitions=25", quick[] = "--benchmark_min_time=0.004";
-  arguments.insert(arguments.begin() + 1,
-                   {interleave, repetitions, quick});  // the caller's own come later and win
-  int count = static_cast<int>(arguments.size());
-  benchmark::Initialize(&count, arguments.data());
   for (const std::size_t n : kSizes) {
     benchmark::RegisterBenchmark(("memory limit/" + std::to_string(n)).c_str(), memory_limit, n);
   }
@@ -163,7 +156,7 @@ int main(int argc, char** argv) {
     benchmark::RegisterBenchmark((model.name + "/scalar double").c_str(), scalar<double>, model);
   }
   Best best;
-  benchmark::RunSpecifiedBenchmarks(&best);
+  run_all(argc, argv, best);
   print_table(best);
   return 0;
 }

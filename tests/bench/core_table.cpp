@@ -9,21 +9,6 @@
 
 namespace gonio::bench {
 
-void Best::ReportRuns(const std::vector<Run>& runs) {
-  for (const Run& run : runs) {
-    const auto rate = run.counters.find("items_per_second");
-    if (run.run_type != Run::RT_Iteration || rate == run.counters.end()) continue;
-    double& best = rate_[run.run_name.function_name];
-    best = std::max(best, rate->second.value);
-  }
-  ConsoleReporter::ReportRuns(runs);
-}
-
-double Best::rate(const std::string& name) const {
-  const auto found = rate_.find(name);
-  return found == rate_.end() ? 0 : found->second;
-}
-
 namespace {
 
 struct Accuracy {

@@ -1,10 +1,7 @@
 // What core_bench prints at the end: speed and accuracy in one table.
 #pragma once
 
-#include <benchmark/benchmark.h>
-
-#include <map>
-#include <string>
+#include "bench/best.h"
 
 namespace gonio::bench {
 
@@ -14,17 +11,6 @@ inline constexpr std::size_t kSizes[] = {1000, 4096, 10000, 65536, std::size_t{1
 inline constexpr std::size_t kSpectralPairs = 1000;
 inline constexpr const char* kSpectral = "/64 channels";
 inline constexpr const char* kSum = "sum of four lobes";
-
-// Keeps the best speed of every benchmark, in pairs per second.
-class Best : public benchmark::ConsoleReporter {
- public:
-  void ReportRuns(const std::vector<Run>& runs) override;
-  // 0 for what was not run.
-  [[nodiscard]] double rate(const std::string& name) const;
-
- private:
-  std::map<std::string, double> rate_;
-};
 
 void print_table(const Best& best);
 
