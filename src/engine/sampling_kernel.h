@@ -8,6 +8,7 @@
 
 #include "engine/isa.h"
 #include "engine/kernel.h"
+#include "engine/random_numbers.h"
 
 namespace gonio {
 
@@ -78,6 +79,10 @@ struct FinishRun {
 template <class In, class Out>
 using Finish = void (*)(const FinishRun<In, Out>&);
 
+template <class T>
+using RandomNumbers = void (*)(const NumberSource&, std::uint64_t first, std::uint64_t per_wi,
+                               std::size_t count, T* const (&xi)[3]);
+
 // Of one kind of model; all null for one that draws no lobe of its own.
 struct SamplingKernels {
   DensityKernel<float, float> fast;
@@ -93,6 +98,8 @@ struct SamplingTable {
   Draw<double> cosine64;
   Share<float> share32;
   Share<double> share64;
+  RandomNumbers<float> numbers32;
+  RandomNumbers<double> numbers64;
   Finish<float, float> fast;
   Finish<float, double> reference;
   Finish<double, double> reference64;

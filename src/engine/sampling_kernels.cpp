@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "engine/analytic_kernel.h"
+#include "engine/number_kernel.h"
 #include "engine/sampling_kernel.h"
 #include "models/all.h"
 #include "numeric/warp.h"
@@ -179,6 +180,8 @@ const SamplingTable kSampling{
     .cosine64 = &draw_cosine<double>,
     .share32 = &share<float>,
     .share64 = &share<double>,
+    .numbers32 = &random_numbers<float>,
+    .numbers64 = &random_numbers<double>,
     .fast = &finish<Fast, float>,
     .reference = &finish<Reference, float>,
     .reference64 = &finish<Reference, double>,

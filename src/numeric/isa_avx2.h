@@ -138,6 +138,18 @@ GONIO_INLINE F gather(const float* table, D lo, D hi) {
   return _mm256_i32gather_ps(table, _mm256_inserti128_si256(_mm256_castsi128_si256(a), b, 1), 4);
 }
 
+// The products of the lower 32 bits of 64-bit lanes.
+using I = __m256i;
+GONIO_INLINE I multiply_low(I a, I b) { return _mm256_mul_epu32(a, b); }
+GONIO_INLINE I broadcast(long long x) { return _mm256_set1_epi64x(x); }
+GONIO_INLINE I load(const long long* p) {
+  return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(p));
+}
+GONIO_INLINE void store(long long* p, I x) {
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), x);
+}
+GONIO_INLINE I high_half(I x) { return _mm256_srli_epi64(x, 32); }
+
 // Between kWidth triples xyz xyz ... and their components. The compiler's own shuffles do.
 GONIO_INLINE void split3(const float* from, F& x, F& y, F& z) {
   for (int i = 0; i < kWidth; ++i)

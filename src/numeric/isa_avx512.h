@@ -112,6 +112,14 @@ GONIO_INLINE F gather(const float* table, D lo, D hi) {
   return _mm512_i32gather_ps(_mm512_inserti64x4(_mm512_castsi256_si512(a), b, 1), table, 4);
 }
 
+// The products of the lower 32 bits of 64-bit lanes.
+using I = __m512i;
+GONIO_INLINE I multiply_low(I a, I b) { return _mm512_mul_epu32(a, b); }
+GONIO_INLINE I broadcast(long long x) { return _mm512_set1_epi64(x); }
+GONIO_INLINE I load(const long long* p) { return _mm512_loadu_si512(p); }
+GONIO_INLINE void store(long long* p, I x) { _mm512_storeu_si512(p, x); }
+GONIO_INLINE I high_half(I x) { return _mm512_srli_epi64(x, 32); }
+
 // Between kWidth triples xyz xyz ... and their components.
 GONIO_INLINE void split3(const float* from, F& x, F& y, F& z) {
   const F a = load(from), b = load(from + 16), c = load(from + 32);

@@ -133,6 +133,16 @@ GONIO_INLINE F gather(const float* table, D lo, D hi) {
                      table[static_cast<int>(hi[0])], table[static_cast<int>(hi[1])]);
 }
 
+// The products of the lower 32 bits of 64-bit lanes.
+using I = __m128i;
+GONIO_INLINE I multiply_low(I a, I b) { return _mm_mul_epu32(a, b); }
+GONIO_INLINE I broadcast(long long x) { return _mm_set1_epi64x(x); }
+GONIO_INLINE I load(const long long* p) {
+  return _mm_loadu_si128(reinterpret_cast<const __m128i*>(p));
+}
+GONIO_INLINE void store(long long* p, I x) { _mm_storeu_si128(reinterpret_cast<__m128i*>(p), x); }
+GONIO_INLINE I high_half(I x) { return _mm_srli_epi64(x, 32); }
+
 // Between kWidth triples xyz xyz ... and their components. The compiler's own shuffles do.
 GONIO_INLINE void split3(const float* from, F& x, F& y, F& z) {
   for (int i = 0; i < kWidth; ++i)
