@@ -41,6 +41,7 @@ int main(int argc, char** argv) try {
   app.get_formatter()->column_width(30);
   const auto commands = {gonio::cli::add_models_command(app),
                          gonio::cli::add_evaluate_command(app),
+                         gonio::cli::add_lobe_command(app),
                          gonio::cli::add_render_command(app)};
   try {
     app.parse(argc, argv);

@@ -29,7 +29,7 @@ Shapes:
 
 Lights:
   directional  from one direction; a white diffuse surface that faces it has radiance 1
-  sky          a bright horizon under a blue zenith, without a sun, over grey ground
+  sky          a hazy sky, its sun behind clouds on the left behind the camera, over grey ground
   FILE         a latitude-longitude map, .exr (R, G, B or Y) or .pfm, of radiance: its upper edge is +z, its
                middle what the camera looks at. NaN, infinite and negative texels are refused
 
@@ -120,7 +120,7 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
   add("--size", arguments.size, "WxH", "Pixels, 1x1 to 8192x8192; 512x512 if not given");
   add("--spp", arguments.samples, "N", "Samples a pixel, 1 to 65536; 64 if not given");
   add("--view-elevation", arguments.view.elevation, "DEG",
-      "How high the camera stands, -90 to 90; 30 if not given");
+      "How high the camera stands, -90 to 90; 20 if not given");
   add("--field-of-view", arguments.view.field_of_view, "DEG",
       "Across the shorter side, to 120; 0 is orthographic; 30 if not given");
   add("--zoom", arguments.view.zoom, "X",

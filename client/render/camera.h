@@ -6,7 +6,7 @@
 namespace gonio::render {
 
 struct View {
-  double elevation = 30;      // degrees above the horizon, -90 to 90
+  double elevation = 20;      // degrees above the horizon, -90 to 90
   double field_of_view = 30;  // degrees across the picture's shorter side, 0 for orthographic
   double zoom = 1;            // the larger, the closer the part in the middle
 };
