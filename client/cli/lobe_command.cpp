@@ -1,5 +1,5 @@
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -101,7 +101,10 @@ Result<lobe::PictureOptions> picture_options(const LobeArguments& arguments) {
   }
   options.width = size.width;
   options.height = size.height;
-  options.title = arguments.material;
+  // Of a file its name, of JSON or a stored material all of it.
+  const bool inline_json = arguments.material.find('{') != std::string::npos;
+  options.title = inline_json ? arguments.material
+                              : std::filesystem::path(arguments.material).filename().string();
   options.theta_i = arguments.theta;
   options.phi_i = arguments.phi;
   options.cosine = arguments.cosine;

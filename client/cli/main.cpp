@@ -39,10 +39,8 @@ int main(int argc, char** argv) try {
   app.set_version_flag("--version", std::string("gonio ") + gonio::kVersion);
   app.require_subcommand(1);
   app.get_formatter()->column_width(30);
-  const auto commands = {gonio::cli::add_models_command(app),
-                         gonio::cli::add_evaluate_command(app),
-                         gonio::cli::add_lobe_command(app),
-                         gonio::cli::add_render_command(app)};
+  const auto commands = {gonio::cli::add_models_command(app), gonio::cli::add_evaluate_command(app),
+                         gonio::cli::add_lobe_command(app), gonio::cli::add_render_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help, --version

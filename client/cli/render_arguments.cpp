@@ -24,7 +24,7 @@ The world has z up; the camera stands towards -y and sees +x on its right.
 
 Shapes:
   sphere    radius 1; tangent u along the parallels (east), v along the meridians (north)
-  cylinder  upright, radius 0.7, height 1.5; u around it, v along its axis; on its ends u along the circles
+  cylinder  lying, radius 0.6, length 1.8; u around it, v along its axis; on its ends u along the circles
   plane     2 x 2 at z = 0, seen from above; u = x, v = y
 
 Lights:
@@ -81,13 +81,12 @@ Outcome check_numbers(const RenderArguments& arguments) {
     const char* option;
     double value, lower, upper;
   };
-  for (const Bounds& bounds :
-       {Bounds{"--spp", arguments.samples, 1, kMostSamples},
-        Bounds{"--view-elevation", arguments.view.elevation, -90, 90},
-        Bounds{"--field-of-view", arguments.view.field_of_view, 0, 120},
-        Bounds{"--zoom", arguments.view.zoom, 0.1, 1000},
-        Bounds{"--exposure", arguments.exposure, -kMostStops, kMostStops},
-        Bounds{"--background", arguments.background.value_or(0), 0, 1e6}}) {
+  for (const Bounds& bounds : {Bounds{"--spp", arguments.samples, 1, kMostSamples},
+                               Bounds{"--view-elevation", arguments.view.elevation, -90, 90},
+                               Bounds{"--field-of-view", arguments.view.field_of_view, 0, 120},
+                               Bounds{"--zoom", arguments.view.zoom, 0.1, 1000},
+                               Bounds{"--exposure", arguments.exposure, -kMostStops, kMostStops},
+                               Bounds{"--background", arguments.background.value_or(0), 0, 1e6}}) {
     auto good = check_range(bounds.option, bounds.value, bounds.lower, bounds.upper);
     if (!good) return good;
   }

@@ -18,8 +18,8 @@ namespace gonio::cli {
 struct RenderArguments {
   ConnectionOptions connection;
   std::string material;
-  std::string light = "directional";  // or sky, or a file
-  std::string light_direction;        // "X,Y,Z"; empty: by the angles
+  std::string light = "directional";             // or sky, or a file
+  std::string light_direction;                   // "X,Y,Z"; empty: by the angles
   std::optional<double> light_theta, light_phi;  // degrees
   std::string shape = "sphere";
   std::string size = "512x512";

@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <utility>
 
@@ -42,16 +41,8 @@ Result<image::Image> render_picture(const RenderArguments& arguments, const Rend
   const render::Sampling sampling{plan.size.width, plan.size.height, plan.samples, arguments.seed,
                                   arguments.connection.threads};
   Progress progress(!arguments.quiet);
-  return render::render(scene, sampling, evaluator, [&](double done) {
-    progress.update(evaluator.report().pairs, done);
-  });
-}
-
-void report(const client::Report& report, const RenderArguments& arguments, double seconds) {
-  const std::string flags = flag_summary(report);
-  if (!flags.empty() && !arguments.quiet) std::fprintf(stderr, "gonio: %s\n", flags.c_str());
-  if (!arguments.verbose) return;
-  std::fprintf(stderr, "gonio: %s\n", report_line(report, seconds).c_str());
+  return render::render(scene, sampling, evaluator,
+                        [&](double done) { progress.update(evaluator.report().pairs, done); });
 }
 
 int run(const RenderArguments& arguments) {
@@ -77,7 +68,7 @@ int run(const RenderArguments& arguments) {
   if (written) written = output->commit();
   if (!written) return fail(written.error());
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  report(evaluator->report(), arguments, taken.count());
+  print_summary(evaluator->report(), taken.count(), arguments.quiet, arguments.verbose);
   return exit_ok;
 }
 

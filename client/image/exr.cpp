@@ -105,15 +105,18 @@ Result<std::string> encode_exr(const Image& image) try {
   }  // the table of rows is written when the file closes
   return stream.take();
 } catch (const std::exception& error) {
-  return Error{
-      ErrorCode::internal, std::string("no OpenEXR file could be made: ") + error.what(), {}, {}, {}};
+  return Error{ErrorCode::internal,
+               std::string("no OpenEXR file could be made: ") + error.what(),
+               {},
+               {},
+               {}};
 }
 
 Result<Image> read_exr(const std::string& file) try {
   return read_first_part(file);
 } catch (const std::exception& error) {
-  return Error{ErrorCode::data_loss, file + " cannot be read as OpenEXR: " + error.what(), file, {},
-               {}};
+  return Error{
+      ErrorCode::data_loss, file + " cannot be read as OpenEXR: " + error.what(), file, {}, {}};
 }
 
 }  // namespace gonio::image

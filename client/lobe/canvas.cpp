@@ -41,7 +41,10 @@ void Canvas::stroke(const Pen& pen) {
   cairo_set_line_width(context_.get(), pen.width);
   const std::array<double, 2> dashes = {4 * pen.width, 3 * pen.width};
   cairo_set_dash(context_.get(), dashes.data(), pen.dashed ? 2 : 0, 0);
+  cairo_set_operator(context_.get(),
+                     pen.multiplied ? CAIRO_OPERATOR_MULTIPLY : CAIRO_OPERATOR_OVER);
   cairo_stroke(context_.get());
+  cairo_set_operator(context_.get(), CAIRO_OPERATOR_OVER);
 }
 
 void Canvas::line(std::span<const Spot> spots, const Pen& pen) {

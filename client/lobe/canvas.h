@@ -26,6 +26,7 @@ struct Pen {
   Colour colour;
   double width = 1;
   bool dashed = false;
+  bool multiplied = false;  // darkens what is below: lines of several colours become black
 };
 
 enum class Align : std::uint8_t { left, centre, right };
@@ -41,8 +42,8 @@ class Canvas {
   // At half the height of a capital letter, `at` is the left, middle or right of the text.
   void text(Spot at, const std::string& words, double size, Align align, const Colour& colour);
   [[nodiscard]] double text_width(const std::string& words, double size);
-  // A square of side x side pixels, its upper left corner at a whole pixel; only the circle in it is
-  // painted.
+  // A square of side x side pixels, its upper left corner at a whole pixel; only the circle in it
+  // is painted.
   void disc(int left, int top, int side, std::span<const Colour> pixels);
 
   // Three bytes a pixel, row by row. Errors: what cairo says.

@@ -16,7 +16,7 @@ using render::radians;
 using std::numbers::pi;
 
 constexpr std::array<Colour, 3> kChannels = {
-    {{0.84, 0.15, 0.16, 1}, {0.13, 0.55, 0.22, 1}, {0.12, 0.35, 0.80, 1}}};
+    {{0.90, 0.18, 0.18, 1}, {0.15, 0.65, 0.22, 1}, {0.15, 0.38, 0.92, 1}}};
 
 // theta_o from the vertical, positive to the right.
 Spot polar(Spot centre, double theta, double radius) {
@@ -24,9 +24,7 @@ Spot polar(Spot centre, double theta, double radius) {
           centre.y - radius * std::cos(radians(theta))};
 }
 
-std::string degrees(double angle) {
-  return std::to_string(std::lround(angle)) + "°";
-}
+std::string degrees(double angle) { return std::to_string(std::lround(angle)) + "°"; }
 
 void draw_grid(Canvas& canvas, Spot centre, const Style& style, const Scale& scale) {
   const Pen thin{kFaint, 0.7 * style.line()};
@@ -56,11 +54,10 @@ void draw_rays(Canvas& canvas, Spot centre, const Style& style, double theta_i) 
   const double head = 0.09 * style.radius;
   const Spot middle = polar(centre, -theta_i, head);
   const Spot across{std::cos(radians(-theta_i)), std::sin(radians(-theta_i))};
-  canvas.area(std::array{centre, Spot{middle.x + 0.35 * head * across.x,
-                                      middle.y + 0.35 * head * across.y},
-                         Spot{middle.x - 0.35 * head * across.x,
-                              middle.y - 0.35 * head * across.y}},
-              kLight);
+  canvas.area(
+      std::array{centre, Spot{middle.x + 0.35 * head * across.x, middle.y + 0.35 * head * across.y},
+                 Spot{middle.x - 0.35 * head * across.x, middle.y - 0.35 * head * across.y}},
+      kLight);
 }
 
 }  // namespace
@@ -77,7 +74,7 @@ void draw_polar(Canvas& canvas, Spot centre, const Style& style, const Scale& sc
     }
     const Colour colour = channels == 1 ? kInk : kChannels[static_cast<std::size_t>(channel)];
     canvas.area(spots, {colour.red, colour.green, colour.blue, 0.10});
-    canvas.line(spots, {colour, 1.5 * style.line()});
+    canvas.line(spots, {colour, 1.4 * style.line(), false, true});
   }
 }
 
@@ -110,8 +107,8 @@ void draw_hemisphere(Canvas& canvas, Spot centre, const Style& style, const Scal
                            Spot{middle.x + outer * x, middle.y + outer * y}},
                 {kInk, style.line()});
     const double away = radius + 0.95 * style.text();
-    canvas.text({middle.x + away * x, middle.y + away * y}, name, 0.9 * style.text(),
-                Align::centre, kInk);
+    canvas.text({middle.x + away * x, middle.y + away * y}, name, 0.9 * style.text(), Align::centre,
+                kInk);
   }
 }
 

@@ -25,12 +25,14 @@ constexpr double kColumn = 2.45, kBarColumn = 0.75, kTitle = 0.30, kHeading = 0.
 
 struct Layout {
   Layout(const PictureOptions& options)  // NOLINT(google-explicit-constructor): inside this file
-      : style{std::min(options.width /
-                           (kColumn * static_cast<double>(options.theta_i.size()) + kBarColumn),
-                       options.height / kHeight)},
+      : style{std::min(
+            options.width / (kColumn * static_cast<double>(options.theta_i.size()) + kBarColumn),
+            options.height / kHeight)},
         side(std::max(1, static_cast<int>(2 * style.radius))) {
     const double r = style.radius;
-    left = (options.width - r * (kColumn * static_cast<double>(options.theta_i.size()) + kBarColumn)) / 2;
+    left =
+        (options.width - r * (kColumn * static_cast<double>(options.theta_i.size()) + kBarColumn)) /
+        2;
     top = (options.height - r * kHeight) / 2;
   }
 
@@ -97,8 +99,8 @@ void draw_title(Canvas& canvas, const Layout& layout, const PictureOptions& opti
   const double y = layout.top + layout.style.radius * kTitle / 2 + 0.2 * size;
   const char* const scales[] = {"log", "linear", "cube root"};
   const std::string what = std::string(options.cosine ? "f cos θₒ" : "f") + " in 1/sr, " +
-                           scales[static_cast<int>(options.scale)] + ",  φᵢ = " +
-                           number(options.phi_i) + "°";
+                           scales[static_cast<int>(options.scale)] +
+                           ",  φᵢ = " + number(options.phi_i) + "°";
   const double margin = layout.left + 0.1 * layout.style.radius;
   const double right = options.width - margin;
   canvas.text({right, y}, what, size, Align::right, kInk);

@@ -13,7 +13,8 @@ using image::Image;
 using image::luminance;
 using std::numbers::pi;
 
-// The index of the step of a cumulative sum that holds `target`, and how far in it that is (0 to 1).
+// The index of the step of a cumulative sum that holds `target`, and how far in it that is (0 to
+// 1).
 std::pair<int, double> find_step(const double* sums, int count, double target) {
   const double* above = std::upper_bound(sums, sums + count - 1, target);
   const double before = above == sums ? 0 : above[-1];
@@ -22,9 +23,9 @@ std::pair<int, double> find_step(const double* sums, int count, double target) {
   return {static_cast<int>(above - sums), within};
 }
 
-// A piecewise constant density over the texels: a row by its share of the light, then a column in it
-// (Pharr, Jakob & Humphreys 2016, Physically Based Rendering, 13.6.7), then a point in the texel,
-// uniform in solid angle: every texel of a row covers the same cosines.
+// A piecewise constant density over the texels: a row by its share of the light, then a column in
+// it (Pharr, Jakob & Humphreys 2016, Physically Based Rendering, 13.6.7), then a point in the
+// texel, uniform in solid angle: every texel of a row covers the same cosines.
 class Dome : public Light {
  public:
   explicit Dome(Image map) : map_(std::move(map)), columns_(map_.pixels.size()) {

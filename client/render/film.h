@@ -8,7 +8,8 @@
 
 namespace gonio::render {
 
-// Takes the samples pixel after pixel, so that one sum in double precision is enough for all of them.
+// Takes the samples pixel after pixel, so that one sum in double precision is enough for all of
+// them.
 class Film {
  public:
   Film(int width, int height, int samples) : image_(width, height), samples_(samples) {}

@@ -1,5 +1,5 @@
-// Vectors, rays, and the local frame of a surface. The world is right-handed with z up, lengths have
-// no unit. Thread safety: plain values.
+// Vectors, rays, and the local frame of a surface. The world is right-handed with z up, lengths
+// have no unit. Thread safety: plain values.
 #pragma once
 
 #include <Eigen/Core>

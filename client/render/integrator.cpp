@@ -13,8 +13,9 @@
 namespace gonio::render {
 namespace {
 
-constexpr std::size_t kBatch = 65536;  // camera samples; with two strategies, 131072 pairs in a call
-constexpr std::size_t kRun = 2048;     // camera samples that a thread takes at a time
+constexpr std::size_t kBatch =
+    65536;                          // camera samples; with two strategies, 131072 pairs in a call
+constexpr std::size_t kRun = 2048;  // camera samples that a thread takes at a time
 
 using Strategies = std::vector<std::unique_ptr<const Strategy>>;
 

@@ -28,8 +28,8 @@ class Light {
   [[nodiscard]] virtual bool single_direction() const = 0;
 };
 
-// From `direction` (of unit length). A surface that faces it receives the irradiance pi, and if it is
-// white and diffuse, has radiance 1.
+// From `direction` (of unit length). A surface that faces it receives the irradiance pi, and if it
+// is white and diffuse, has radiance 1.
 std::unique_ptr<const Light> directional_light(const Vec3& direction);
 
 // A whole sphere of radiance: a latitude-longitude map. Its upper edge is +z, its middle column +y

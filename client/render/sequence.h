@@ -1,7 +1,7 @@
-// The numbers that samples are drawn with: the first two dimensions of Sobol's sequence, Owen-scrambled
-// per pixel. Whatever asks for (seed, pixel, sample, purpose) gets the same numbers, in any order and
-// on any thread. Sources: Owen 1995, Randomly Permuted (t,m,s)-Nets; Burley 2020, Practical Hash-based
-// Owen Scrambling, JCGT 9(4), listings 1 to 4, with Laine & Karras' 2011 hash.
+// The numbers that samples are drawn with: the first two dimensions of Sobol's sequence,
+// Owen-scrambled per pixel. Whatever asks for (seed, pixel, sample, purpose) gets the same numbers,
+// in any order and on any thread. Sources: Owen 1995, Randomly Permuted (t,m,s)-Nets; Burley 2020,
+// Practical Hash-based Owen Scrambling, JCGT 9(4), listings 1 to 4, with Laine & Karras' 2011 hash.
 // Thread safety: const.
 #pragma once
 

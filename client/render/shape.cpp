@@ -35,29 +35,49 @@ class Sphere : public Shape {
   [[nodiscard]] double radius() const override { return 1; }
 };
 
+// In its own coordinates, its axis is z.
 class Cylinder : public Shape {
  public:
   [[nodiscard]] std::optional<Frame> hit(const Ray& ray) const override {
+    const auto frame =
+        hit_upright({own_.transpose() * ray.origin, own_.transpose() * ray.direction});
+    if (!frame) return std::nullopt;
+    return Frame{own_ * frame->u, own_ * frame->v, own_ * frame->n};
+  }
+  [[nodiscard]] double radius() const override { return std::hypot(kRadius, kHalfLength); }
+
+ private:
+  static constexpr double kRadius = 0.6, kHalfLength = 0.9, kTurn = 20;  // the turn in degrees
+
+  static std::optional<Frame> hit_upright(const Ray& ray) {
     // Of the two ends only the one that the ray looks at can be met from outside.
-    const double end = std::copysign(kHalfHeight, -ray.direction.z());
+    const double end = std::copysign(kHalfLength, -ray.direction.z());
     const double to_end =
         ray.direction.z() == 0 ? kNone : (end - ray.origin.z()) / ray.direction.z();
-    const Vec3 on_end = ray.origin + to_end * ray.direction;
-    if (to_end > 0 && to_end < kNone && std::hypot(on_end.x(), on_end.y()) <= kRadius) {
-      return around_axis(on_end, Vec3(0, 0, std::copysign(1.0, end)));
+    if (to_end > 0 && to_end < kNone) {
+      const Vec3 on_end = ray.origin + to_end * ray.direction;
+      if (std::hypot(on_end.x(), on_end.y()) <= kRadius) {
+        return around_axis(on_end, Vec3(0, 0, std::copysign(1.0, end)));
+      }
     }
     const auto origin = ray.origin.head<2>(), direction = ray.direction.head<2>();
     const double t = first_root(direction.squaredNorm(), origin.dot(direction),
                                 origin.squaredNorm() - kRadius * kRadius);
     if (!(t > 0) || t == kNone) return std::nullopt;
     const Vec3 on_side = ray.origin + t * ray.direction;
-    if (std::abs(on_side.z()) > kHalfHeight) return std::nullopt;
+    if (std::abs(on_side.z()) > kHalfLength) return std::nullopt;
     return around_axis(on_side, Vec3(on_side.x(), on_side.y(), 0).normalized());
   }
-  [[nodiscard]] double radius() const override { return std::hypot(kRadius, kHalfHeight); }
 
- private:
-  static constexpr double kRadius = 0.7, kHalfHeight = 0.75;
+  static Eigen::Matrix3d own_axes() {
+    Eigen::Matrix3d axes;
+    axes.col(2) = direction_of(std::numbers::pi / 2, radians(kTurn));
+    axes.col(0) = Vec3::UnitZ();
+    axes.col(1) = axes.col(2).cross(axes.col(0));
+    return axes;
+  }
+
+  const Eigen::Matrix3d own_ = own_axes();
 };
 
 class Plane : public Shape {

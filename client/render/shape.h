@@ -23,8 +23,9 @@ class Shape {
 
 // sphere    radius 1, its poles up and down: u along the parallels to the east, v along the
 //           meridians to the north (at the poles, u = (1,0,0))
-// cylinder  upright, radius 0.7, height 1.5: on its side u around it and v along its axis, on its
-//           ends u along the circles, as on a turned part
+// cylinder  lying, radius 0.6, length 1.8, its axis turned from +x by 20 degrees towards +y: on its
+//           side u around it and v along its axis, on its ends u along the circles, as on a turned
+//           part
 // plane     the square [-1, 1] x [-1, 1] at z = 0, u = (1,0,0), v = (0,1,0); seen from above only
 std::unique_ptr<const Shape> make_shape(ShapeKind kind);
 
