@@ -25,7 +25,9 @@ Examples:
   gonio evaluate --material '{"model": "lambertian", "parameters": {"rd": 0.5}}' \
       --grid theta_i=30,theta_o=0:80:9 --deg
   gonio evaluate --material gold.json --pairs pairs.csv -o values.npy -v
-  gonio evaluate --help               everything about it
+  gonio render --material gold.json --light sky -o gold.png
+  gonio lobe --material gold.json --theta 30,60,80 -o lobe.png
+  gonio evaluate --help               everything about it; so for each command
 
 Exit status: 0 done; 1 failed on the way; 2 wrong arguments, files or materials;
 3 no answer from the server (not there, too busy, or past the deadline).)";
