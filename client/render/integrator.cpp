@@ -60,8 +60,9 @@ class Tracer {
     const auto sample = static_cast<std::uint32_t>(number % samples);
     const Sequence sequence(sampling_.seed, static_cast<std::uint32_t>(pixel));
     const Xi jitter = sequence.draw(sample, kFilm);
-    const Ray ray = scene_.camera.ray(static_cast<double>(pixel % width) + jitter[0],
-                                      static_cast<double>(pixel / width) + jitter[1]);
+    const std::uint64_t column = pixel % width, row = pixel / width;
+    const Ray ray = scene_.camera.ray(static_cast<double>(column) + jitter[0],
+                                      static_cast<double>(row) + jitter[1]);
     const auto frame = scene_.shape.hit(ray);
     if (!frame) {
       run.radiance[place] =
@@ -79,6 +80,7 @@ class Tracer {
   Outcome gather(std::size_t k, const Points& points, Run& run) const {
     const std::size_t count = points.points.size();
     std::vector<Xi> xi;
+    xi.reserve(count);
     for (const auto& [sequence, sample] : points.draws) {
       xi.push_back(sequence.draw(sample, kFirstStrategy + static_cast<std::uint32_t>(k)));
     }
@@ -94,7 +96,7 @@ class Tracer {
       const Point& point = points.points[i];
       const Rgb light = scene_.light.radiance(point.frame.to_world(wi[i]));
       run.samples.push_back(points.samples[i]);
-      run.weights.push_back(light * static_cast<float>(wi[i].z() / sum[i]));
+      run.weights.emplace_back(light * static_cast<float>(wi[i].z() / sum[i]));
       run.wi.insert(run.wi.end(), wi[i].begin(), wi[i].end());
       run.wo.insert(run.wo.end(), point.wo.begin(), point.wo.end());
     }

@@ -10,7 +10,7 @@ namespace {
 
 using image::Rgb;
 
-constexpr int kHeight = 512;  // even: the horizon is between two rows
+constexpr int kHeight = 256;  // even: the horizon is between two rows
 constexpr double kSunAzimuth = -125, kSunTheta = 45, kGlow = 30;
 
 Rgb radiance(const Vec3& direction) {
