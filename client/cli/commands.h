@@ -18,5 +18,7 @@ struct Command {
 
 Command add_models_command(CLI::App& app);
 Command add_evaluate_command(CLI::App& app);
+Command add_lobe_command(CLI::App& app);
+Command add_render_command(CLI::App& app);
 
 }  // namespace gonio::cli

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -90,13 +89,6 @@ Result<client::Report> evaluate(const client::Client& client, const client::Mate
   return client.evaluate_chunks<T, T>(material, source, sink, options);
 }
 
-void report(const client::Report& report, const EvaluateArguments& arguments, double seconds) {
-  const std::string flags = flag_summary(report);
-  if (!flags.empty() && !arguments.quiet) std::fprintf(stderr, "gonio: %s\n", flags.c_str());
-  if (!arguments.verbose) return;
-  std::fprintf(stderr, "gonio: %s\n", report_line(report, seconds).c_str());
-}
-
 template <class T>
 int run(const EvaluateArguments& arguments) {
   auto format = chosen_format(arguments);
@@ -118,7 +110,7 @@ int run(const EvaluateArguments& arguments) {
   if (output->reader_gone()) return exit_ok;
   if (!written) return fail(written.error());
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  report(*result, arguments, taken.count());
+  print_summary(*result, taken.count(), arguments.quiet, arguments.verbose);
   return exit_ok;
 }
 

@@ -25,7 +25,9 @@ Examples:
   gonio evaluate --material '{"model": "lambertian", "parameters": {"rd": 0.5}}' \
       --grid theta_i=30,theta_o=0:80:9 --deg
   gonio evaluate --material gold.json --pairs pairs.csv -o values.npy -v
-  gonio evaluate --help               everything about it
+  gonio render --material gold.json --light sky -o gold.png
+  gonio lobe --material gold.json --theta 30,60,80 -o lobe.png
+  gonio evaluate --help               everything about it; so for each command
 
 Exit status: 0 done; 1 failed on the way; 2 wrong arguments, files or materials;
 3 no answer from the server (not there, too busy, or past the deadline).)";
@@ -39,8 +41,8 @@ int main(int argc, char** argv) try {
   app.set_version_flag("--version", std::string("gonio ") + gonio::kVersion);
   app.require_subcommand(1);
   app.get_formatter()->column_width(30);
-  const auto commands = {gonio::cli::add_models_command(app),
-                         gonio::cli::add_evaluate_command(app)};
+  const auto commands = {gonio::cli::add_models_command(app), gonio::cli::add_evaluate_command(app),
+                         gonio::cli::add_lobe_command(app), gonio::cli::add_render_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help, --version

@@ -51,4 +51,10 @@ std::string report_line(const client::Report& report, double seconds) {
   return text;
 }
 
+void print_summary(const client::Report& report, double seconds, bool quiet, bool verbose) {
+  const std::string flags = flag_summary(report);
+  if (!flags.empty() && !quiet) std::fprintf(stderr, "gonio: %s\n", flags.c_str());
+  if (verbose) std::fprintf(stderr, "gonio: %s\n", report_line(report, seconds).c_str());
+}
+
 }  // namespace gonio::cli

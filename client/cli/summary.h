@@ -18,4 +18,7 @@ std::string report_line(const client::Report& report, double seconds);
 // "relative error <= 3e-06 where f > 1e-30", and the note if there is one.
 std::string bound_text(const client::ErrorBound& bound);
 
+// Both on standard error: the flags unless `quiet`, the line if `verbose`.
+void print_summary(const client::Report& report, double seconds, bool quiet, bool verbose);
+
 }  // namespace gonio::cli

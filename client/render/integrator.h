@@ -1,0 +1,39 @@
+// From a scene to a picture: direct light on one object. Thread safety: no state.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "base/result.h"
+#include "client/render/camera.h"
+#include "client/render/evaluator.h"
+#include "client/render/light.h"
+#include "client/render/shape.h"
+
+namespace gonio::render {
+
+struct Scene {
+  const Shape& shape;
+  const Camera& camera;
+  const Light& light;
+  std::optional<Rgb> background;  // a radiance; without one, that of the light is seen
+};
+
+struct Sampling {
+  int width = 1, height = 1;
+  int samples = 1;  // of a pixel
+  std::uint32_t seed = 0;
+  int threads = 0;  // for what is not the service's work; 0 for one a processor
+};
+
+// Called with the share of the picture that is done, 0 to 1.
+using OnProgress = std::function<void(double)>;
+
+// The radiance of every pixel, the mean over its square. The same scene, seed and service give the
+// same bits, however many threads there are. Memory: the picture, and some 30 MB. Errors: what the
+// service says.
+Result<image::Image> render(const Scene& scene, const Sampling& sampling, Evaluator& evaluator,
+                            const OnProgress& on_progress);
+
+}  // namespace gonio::render
