@@ -11,6 +11,7 @@
 #include <memory>
 #include <string>
 
+#include "base/happens_before.h"
 #include "base/result.h"
 #include "engine/thread_pool.h"
 #include "server/evaluation.h"
@@ -34,6 +35,27 @@ struct Backend {
   std::size_t max_queued_jobs;
   spdlog::logger& logger;
   MemoryBudget& memory;
+
+  // gRPC makes calls after a server's start, and ends its shutdown after the last of them: what was
+  // done with the backend before server_begins() is over at call_begins(), and what a call did
+  // before call_ends() is over at server_ended().
+  void server_begins() const { happens_before(&materials); }
+  void call_begins() const { happens_after(&materials); }
+  void call_ends() const { happens_before(&memory); }
+  void server_ended() const { happens_after(&memory); }
+};
+
+// The time of one reaction of a call. gRPC begins it after what it is the reaction to, an operation
+// or the call's beginning, and ends it before OnDone().
+class Reaction {
+ public:
+  Reaction(const void* call, const void* cause) : call_(call) { happens_after(cause); }
+  ~Reaction() { happens_before(call_); }
+  Reaction(const Reaction&) = delete;
+  Reaction& operator=(const Reaction&) = delete;
+
+ private:
+  const void* call_;
 };
 
 // Whether a call's result is still wanted. Thread safety: any thread.

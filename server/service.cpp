@@ -7,17 +7,25 @@
 #include "server/unary_call.h"
 #include "wire/status.h"
 
+template class grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>;
+
 namespace gonio {
+
+Service::Service(const Backend& backend) : backend_(backend) { backend_.server_begins(); }
+
+Service::~Service() { backend_.server_ended(); }
 
 grpc::ServerUnaryReactor* Service::ListModels(grpc::CallbackServerContext* context,
                                               const v1::ListModelsRequest* request,
                                               v1::ListModelsResponse* response) {
+  backend_.call_begins();
   grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
   const AccessLine access("ListModels", *context, backend_.logger);
   auto listed = list_models(*request, backend_.materials);
   const grpc::Status status = listed ? grpc::Status::OK : wire::to_status(listed.error());
   if (listed) *response = std::move(*listed);
   access.write(backend_.logger, status.ok() ? "OK" : status.error_message());
+  backend_.call_ends();
   reactor->Finish(status);
   return reactor;
 }
@@ -25,11 +33,13 @@ grpc::ServerUnaryReactor* Service::ListModels(grpc::CallbackServerContext* conte
 grpc::ServerUnaryReactor* Service::Evaluate(grpc::CallbackServerContext* context,
                                             const grpc::ByteBuffer* request,
                                             grpc::ByteBuffer* response) {
+  backend_.call_begins();
   return UnaryCall::start(backend_, *context, *request, *response);
 }
 
 grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* Service::EvaluateStream(
     grpc::CallbackServerContext* context) {
+  backend_.call_begins();
   return new StreamCall(backend_, *context);
 }
 

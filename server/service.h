@@ -16,7 +16,8 @@ using RawService =
 
 class Service final : public RawService {
  public:
-  explicit Service(const Backend& backend) : backend_(backend) {}
+  explicit Service(const Backend& backend);
+  ~Service() override;  // the server that it was registered with has ended
 
   grpc::ServerUnaryReactor* ListModels(grpc::CallbackServerContext* context,
                                        const v1::ListModelsRequest* request,

@@ -18,10 +18,12 @@ StreamCall::StreamCall(const Backend& backend, grpc::CallbackServerContext& cont
     : backend_(backend),
       state_(context.deadline()),
       access_("EvaluateStream", context, backend.logger) {
+  happens_before(&state_);
   pump();
 }
 
 void StreamCall::OnReadDone(bool ok) {
+  const Reaction reaction(this, &incoming_);
   if (!ok) return end_reading(grpc::Status::OK);
   auto chunk = wire::decode_stream_request(incoming_);
   incoming_.Clear();
@@ -112,6 +114,7 @@ void StreamCall::refuse(std::uint64_t sequence, const Error& error, std::size_t 
 }
 
 void StreamCall::OnWriteDone(bool ok) {
+  const Reaction reaction(this, &writing_now_);
   {
     const std::lock_guard lock(mutex_);
     writing_ = false;
@@ -124,12 +127,20 @@ void StreamCall::OnWriteDone(bool ok) {
 }
 
 void StreamCall::OnCancel() {
+  const Reaction reaction(this, &state_);
   state_.cancel();
   {
     const std::lock_guard lock(mutex_);
     die();
   }
   pump();
+}
+
+void StreamCall::OnDone() {
+  happens_after(this);
+  const Backend& backend = backend_;
+  delete this;
+  backend.call_ends();
 }
 
 // A stream that lost answers must not end as if it were complete.
@@ -172,10 +183,17 @@ void StreamCall::pump(std::optional<Answer> answer) {
     finished_ = finished_ || finish;
     if (finish) final = final_;
   }
-  if (write) StartWrite(&writing_now_.message);
-  if (read) StartRead(&incoming_);
+  if (write) {
+    happens_before(&writing_now_);
+    StartWrite(&writing_now_.message);
+  }
+  if (read) {
+    happens_before(&incoming_);
+    StartRead(&incoming_);
+  }
   if (!finish) return;
   access_.write(backend_.logger, final.ok() ? "OK" : final.error_message());
+  happens_before(this);
   Finish(final);  // may delete this
 }
 

@@ -18,6 +18,9 @@
 
 #include "server/call.h"
 
+// Instantiated once, in service.cpp.
+extern template class grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>;
+
 namespace gonio {
 
 class StreamCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer> {
@@ -37,7 +40,7 @@ class StreamCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   void OnReadDone(bool ok) override;
   void OnWriteDone(bool ok) override;
   void OnCancel() override;
-  void OnDone() override { delete this; }
+  void OnDone() override;
 
   void end_reading(const grpc::Status& status);
   void handle(const wire::StreamRequest& chunk);

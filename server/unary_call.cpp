@@ -20,6 +20,7 @@ UnaryCall::UnaryCall(const Backend& backend, grpc::CallbackServerContext& contex
 UnaryCall* UnaryCall::start(const Backend& backend, grpc::CallbackServerContext& context,
                             const grpc::ByteBuffer& request, grpc::ByteBuffer& response) {
   auto* call = new UnaryCall(backend, context, response);
+  happens_before(&call->state_);
   call->handle(request);
   return call;
 }
@@ -61,7 +62,20 @@ void UnaryCall::refuse(const Error& error) {
 
 void UnaryCall::end(const grpc::Status& status) {
   access_.write(backend_.logger, status.ok() ? "OK" : status.error_message());
+  happens_before(this);
   Finish(status);  // may delete this
+}
+
+void UnaryCall::OnCancel() {
+  const Reaction reaction(this, &state_);
+  state_.cancel();
+}
+
+void UnaryCall::OnDone() {
+  happens_after(this);
+  const Backend& backend = backend_;
+  delete this;
+  backend.call_ends();
 }
 
 }  // namespace gonio

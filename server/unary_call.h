@@ -22,8 +22,8 @@ class UnaryCall final : public grpc::ServerUnaryReactor {
   void answer(Evaluation& evaluation, bool completed);
   void refuse(const Error& error);
   void end(const grpc::Status& status);
-  void OnCancel() override { state_.cancel(); }
-  void OnDone() override { delete this; }
+  void OnCancel() override;
+  void OnDone() override;
 
   const Backend& backend_;
   grpc::CallbackServerContext& context_;

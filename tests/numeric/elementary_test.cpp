@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/isa.h"
+#include "numeric/cancelling.h"
 #include "numeric/functions.h"
 
 namespace gonio {
@@ -136,6 +137,28 @@ TEST_P(Elementary, QuickDivision) {
   EXPECT_LT(
       worst_relative(out, [&](std::size_t i) { return a[i] / static_cast<long double>(b[i]); }),
       0x1p-42L);
+}
+
+TEST_P(Elementary, ProductAndWhatRoundingTookFromIt) {
+  const auto a = powers(-200, 200, 10), b = powers(-200, 200, 11);
+  std::vector<double> lost(kCount);
+  use.product(a.data(), b.data(), kCount, out.data(), lost.data());
+  for (std::size_t i = 0; i < kCount; ++i) {
+    ASSERT_EQ(out[i], a[i] * b[i]) << a[i] << " * " << b[i];
+    ASSERT_EQ(lost[i], std::fma(a[i], b[i], -out[i])) << a[i] << " * " << b[i];
+  }
+}
+
+TEST_P(Elementary, DotOfVectorsThatCancels) {
+  const auto worst = [&](const testing::VectorPairs& pairs) {
+    return worst_relative(out, [&](std::size_t i) { return pairs.truth[i]; });
+  };
+  const auto narrow = testing::cancelling_pairs<float>(kCount, 12);
+  use.dot_quick(narrow.a.data(), narrow.b.data(), kCount, out.data());
+  EXPECT_LT(worst(narrow), 4e-16L);
+  const auto wide = testing::cancelling_pairs<double>(kCount, 13);
+  use.dot_exact(wide.a.data(), wide.b.data(), kCount, out.data());
+  EXPECT_LT(worst(wide), 4e-16L);
 }
 
 INSTANTIATE_TEST_SUITE_P(EachIsa, Elementary, ::testing::ValuesIn(supported_isas()),

@@ -34,6 +34,23 @@ void divide(const double* a, const double* b, std::size_t n, double* out) {
     (Quick::load(a + i) / Quick::load(b + i)).store(out + i);
 }
 
+void product(const double* a, const double* b, std::size_t n, double* out, double* error) {
+  for (std::size_t i = 0; i < n; i += raw::kWidth) {
+    Exact rounded, lost;
+    exact_product(Exact::load(a + i), Exact::load(b + i), rounded, lost);
+    rounded.store(out + i), lost.store(error + i);
+  }
+}
+
+template <class D>
+void dot(const double* a, const double* b, std::size_t n, double* out) {
+  const auto vector = [n](const double* at) -> Vec3<D> {
+    return {D::load(at), D::load(at + n), D::load(at + 2 * n)};
+  };
+  for (std::size_t i = 0; i < n; i += raw::kWidth)
+    exact_dot(vector(a + i), vector(b + i)).store(out + i);
+}
+
 }  // namespace
 
 extern const testing::Functions kFunctions;  // NOLINT(readability-redundant-declaration): linkage
@@ -43,6 +60,9 @@ const testing::Functions kFunctions{&weighted_log2<Quick>,
                                     &exp2<Exact, Exact>,
                                     &angle<Quick>,
                                     &angle<Exact>,
-                                    &divide};
+                                    &divide,
+                                    &product,
+                                    &dot<Quick>,
+                                    &dot<Exact>};
 
 }  // namespace gonio::GONIO_ISA

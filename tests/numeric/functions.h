@@ -16,6 +16,10 @@ struct Functions {
   void (*angle_quick)(const double* y, const double* x, std::size_t n, double* out);
   void (*angle_exact)(const double* y, const double* x, std::size_t n, double* out);
   void (*divide_quick)(const double* a, const double* b, std::size_t n, double* out);
+  void (*product)(const double* a, const double* b, std::size_t n, double* out, double* error);
+  // Of n vectors, each an array of x, then one of y, then one of z.
+  void (*dot_quick)(const double* a, const double* b, std::size_t n, double* out);
+  void (*dot_exact)(const double* a, const double* b, std::size_t n, double* out);
 };
 
 }  // namespace gonio::testing
