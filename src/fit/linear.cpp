@@ -20,7 +20,8 @@ Eigen::VectorXd with_held(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
     if (state == At::free) free.push_back(i);
   }
   if (free.empty()) return x;
-  const Eigen::VectorXd rest = (b - A * x)(free);
+  const Eigen::VectorXd pull = b - A * x;
+  const Eigen::VectorXd rest = pull(free);
   Eigen::MatrixXd square = A(free, free);
   // Columns that are nearly the same: the smallest ridge that keeps the solution finite.
   square.diagonal() *= 1 + 1e-13;

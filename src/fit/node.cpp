@@ -21,6 +21,7 @@ class Channel {
         transformed_(problem.measured(channel).data(), n_),
         basis_(basis),
         values_(problem.data().channel(channel)) {
+    predicted_.resize(n_);
     set_columns(0);
   }
 
@@ -33,7 +34,9 @@ class Channel {
     work_ = weight_ / (measured_ + (mean > 0 ? mean : 1));
     Eigen::VectorXd x;
     for (int pass = 0;; ++pass) {
-      x = solve_bounded(matrix(), vector(), form.coefficient_upper);
+      weighted_ = columns_.colwise() * work_;
+      x = solve_bounded(columns_.matrix().transpose() * weighted_.matrix(),
+                        weighted_.matrix().transpose() * measured_.matrix(), form.coefficient_upper);
       if (quadratic()) set_columns(x[0]);
       predicted_.matrix().noalias() = columns_.matrix() * x;
       residual_ = difference();
@@ -64,14 +67,6 @@ class Channel {
           to += x * column(lobe.first_column + 1) * cosine_;
       }
     }
-  }
-
-  Eigen::MatrixXd matrix() {
-    weighted_ = columns_.colwise() * work_;
-    return columns_.matrix().transpose() * weighted_.matrix();
-  }
-  Eigen::VectorXd vector() const {
-    return weighted_.matrix().transpose() * measured_.matrix();
   }
 
   [[nodiscard]] Eigen::ArrayXd difference() const {
