@@ -11,9 +11,11 @@ namespace gonio::fit {
 namespace {
 
 constexpr std::array kCoarse{0.1, 0.01};
-constexpr std::array kFine{0.1, 0.01, 0.001};
+constexpr std::array kFine{0.01, 0.001};
 constexpr double kAgree = 1.01;
 constexpr std::size_t kFinalists = 2;
+// A descent that ends so much above the best on the scan's pairs is not the best on more pairs.
+constexpr double kHopeless = 1.1;
 constexpr int kScanPasses = 4;
 
 struct Candidate {
@@ -31,7 +33,7 @@ std::vector<Candidate> descend(const SearchInput& input, const Form& form, Probl
   int iterations = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     MinimiseOptions options = minimise_options(input.watch, "starts", 15, best);
-    options.tolerance = 1e-4;
+    options.tolerance = 1e-3;
     const Minimum end = minimise_by_stages(problem, nodes[i].parameters, kCoarse, options);
     const double objective = problem.cost(end.parameters, true, input.watch.stop);
     iterations += end.iterations;
@@ -65,7 +67,7 @@ bool same(const Form& form, const Candidate& a, const Candidate& b) {
 std::vector<Candidate> finalists(const Form& form, const std::vector<Candidate>& sorted) {
   std::vector<Candidate> chosen;
   for (const Candidate& end : sorted) {
-    if (chosen.size() == kFinalists) break;
+    if (chosen.size() == kFinalists || end.objective > kHopeless * sorted.front().objective) break;
     const bool known = std::any_of(chosen.begin(), chosen.end(),
                                    [&](const Candidate& c) { return same(form, c, end); });
     if (!known) chosen.push_back(end);
@@ -80,7 +82,8 @@ void refine(const SearchInput& input, const std::vector<Candidate>& from, Search
   double best = 1e300, shown = 1e300;
   int iterations = 0;
   for (const Candidate& candidate : from) {
-    const MinimiseOptions options = minimise_options(input.watch, "fit", 25, shown);
+    MinimiseOptions options = minimise_options(input.watch, "fit", 25, shown);
+    options.tolerance = 1e-5;
     Minimum end = minimise_by_stages(problem, candidate.parameters, kFine, options);
     const double objective = problem.cost(end.parameters, true, input.watch.stop);
     iterations += end.iterations;

@@ -30,6 +30,7 @@ Outcome check(const Options& options) {
 
 // Huber's threshold in the residual's unit.
 double threshold_of(const Data& data, const Options& options) {
+  if (options.objective != Objective::huber) return 1;
   double sum = 0, weights = 0;
   for (int c = 0; c < data.channels; ++c) {
     const auto values = data.channel(c);

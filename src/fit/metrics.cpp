@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "engine/evaluate.h"
 #include "engine/isa.h"
+#include "fit/arrays.h"
 
 namespace gonio::fit {
 namespace {
@@ -13,18 +15,29 @@ constexpr std::size_t kRun = 4096;
 // Two places closer than this in both directions are one: cos(5 degrees).
 constexpr double kSamePlace = 0.9962;
 
+// The terms of a run of pairs in one channel.
+struct Terms {
+  Terms(const Eigen::ArrayXd& f, const Eigen::ArrayXd& m)
+      : measured(m),
+        absolute((f - m).abs()),
+        log(((1 + f).log() - (1 + m).log()).abs()),
+        cbrt((cube_root(f) - cube_root(m)).square()) {}
+  const Eigen::ArrayXd& measured;
+  Eigen::ArrayXd absolute, log, cbrt;
+};
+
 struct Sums {
   double weight = 0, measured = 0, absolute = 0, squared = 0, log = 0, cbrt = 0;
   std::size_t pairs = 0;
 
-  void add(double w, double f, double m) {
-    const double e = f - m, root = std::cbrt(f) - std::cbrt(m);
-    weight += w;
-    measured += w * m;
-    absolute += w * std::abs(e);
-    squared += w * e * e;
-    log += w * std::abs(std::log1p(f) - std::log1p(m));
-    cbrt += w * root * root;
+  // `w` is 0 outside the zone.
+  void add(const Eigen::ArrayXd& w, const Terms& terms) {
+    weight += w.sum();
+    measured += (w * terms.measured).sum();
+    absolute += (w * terms.absolute).sum();
+    squared += (w * terms.absolute.square()).sum();
+    log += (w * terms.log).sum();
+    cbrt += (w * terms.cbrt).sum();
   }
   void add(const Sums& other) {
     weight += other.weight;
@@ -80,10 +93,13 @@ std::array<double, 3> direction(const std::array<std::vector<float>, 3>& w, std:
   return {static_cast<double>(w[0][i]), static_cast<double>(w[1][i]), static_cast<double>(w[2][i])};
 }
 
+Eigen::ArrayXd part(std::span<const float> all, std::size_t first, Eigen::Index count) {
+  return Eigen::Map<const Eigen::ArrayXf>(&all[first], count).cast<double>();
+}
+
 }  // namespace
 
 Comparison compare(const Material& material, const Data& data, std::size_t worst) {
-  const auto least = static_cast<float>(std::cos(kGrazing));
   Sums below, above;
   Worst places(worst);
   std::vector<double> values(kRun * static_cast<std::size_t>(material.channels()));
@@ -93,18 +109,25 @@ Comparison compare(const Material& material, const Data& data, std::size_t worst
              Batch<float, double>{data.incident(first), data.outgoing(first), count,
                                   Values<double>::planar(values.data(), kRun), nullptr},
              best_isa());
-    for (std::size_t i = first; i < first + count; ++i) {
-      Sums& zone = std::min(data.wi[2][i], data.wo[2][i]) >= least ? below : above;
-      const auto cosine = static_cast<double>(data.wi[2][i]), w = static_cast<double>(data.weights[i]);
-      ++zone.pairs;
-      for (int c = 0; c < data.channels; ++c) {
-        const auto channel = static_cast<std::size_t>(material.channels() == 1 ? 0 : c);
-        const double f = values[channel * kRun + i - first];
-        const auto m = static_cast<double>(data.channel(c)[i]);
-        zone.add(w, f * cosine, m * cosine);
-        places.offer({direction(data.wi, i), direction(data.wo, i), c, m, f,
-                      w * std::abs(f - m) * cosine});
-      }
+    const auto n = static_cast<Eigen::Index>(count);
+    const Eigen::ArrayXd cosine = part(data.wi[2], first, n), w = part(data.weights, first, n);
+    const Eigen::Array<bool, Eigen::Dynamic, 1> low =
+        cosine.min(part(data.wo[2], first, n)) < std::cos(kGrazing);
+    const Eigen::ArrayXd w_above = low.select(w, 0), w_below = w - w_above;
+    above.pairs += static_cast<std::size_t>(low.count());
+    below.pairs += count - static_cast<std::size_t>(low.count());
+    for (int c = 0; c < data.channels; ++c) {
+      const auto channel = static_cast<std::size_t>(material.channels() == 1 ? 0 : c);
+      const Eigen::Map<const Eigen::ArrayXd> f(&values[channel * kRun], n);
+      const Eigen::ArrayXd m = part(data.channel(c), first, n);
+      const Eigen::ArrayXd m_cosine = m * cosine;
+      const Terms terms(f * cosine, m_cosine);
+      below.add(w_below, terms);
+      above.add(w_above, terms);
+      Eigen::Index at = 0;
+      const double share = (w * terms.absolute).maxCoeff(&at);
+      const std::size_t i = first + static_cast<std::size_t>(at);
+      places.offer({direction(data.wi, i), direction(data.wo, i), c, m[at], f[at], share});
     }
   }
   Sums all = below;

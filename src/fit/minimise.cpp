@@ -98,6 +98,8 @@ ceres::Solver::Options solver_options(const MinimiseOptions& options) {
   solver.gradient_tolerance = 1e-12;
   solver.parameter_tolerance = 1e-9;
   solver.linear_solver_type = ceres::DENSE_QR;
+  // A shorter step is tried where a bound cuts one; its length needs no gradients, which cost most.
+  solver.line_search_interpolation_type = ceres::BISECTION;
   solver.num_threads = 1;
   solver.logging_type = ceres::SILENT;
   return solver;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "fit/arrays.h"
 #include "fit/linear.h"
 
 namespace gonio::fit {
@@ -73,7 +74,7 @@ class Channel {
     switch (problem_.loss().objective) {
       case Objective::log: return (1 + predicted_).log() - transformed_;
       case Objective::cbrt:
-        return predicted_.unaryExpr([](double v) { return std::cbrt(v); }) - transformed_;
+        return cube_root(predicted_) - transformed_;
       default: return predicted_ - transformed_;
     }
   }

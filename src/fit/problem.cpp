@@ -4,11 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "fit/arrays.h"
+
 namespace gonio::fit {
 namespace {
-
-// A cube root's slope is infinite at 0; this part of the mean value is taken as the least.
-constexpr double kLeastPart = 1e-9;
 
 bool is_quadratic(const FormLobe& lobe) {
   return lobe.columns == FormLobe::Columns::quadratic_diffuse;
@@ -85,7 +84,7 @@ double Problem::residuals(Tile tile, int channel, const Loss& loss, Rows& rows) 
     rows.residual = (1 + rows.f * cosine).log() - measured;
     rows.slope = cosine / (1 + rows.f * cosine);
   } else if (loss.objective == Objective::cbrt) {
-    rows.residual = (rows.f * cosine).max(kLeastPart).unaryExpr([](double x) { return std::cbrt(x); });
+    rows.residual = cube_root(rows.f * cosine);
     rows.slope = cosine / (3 * rows.residual.square());
     rows.residual -= measured;
   } else {
@@ -144,8 +143,15 @@ void Problem::fill_jacobian(const Basis& basis, std::size_t count,
 void Problem::add(const Rows& rows, int channel, Equations& to) const {
   const auto shapes = static_cast<Eigen::Index>(form_.shapes.size());
   const auto own = static_cast<Eigen::Index>(form_.coefficients);
-  const Eigen::MatrixXd square = rows.jacobian.transpose() * rows.jacobian;
-  const Eigen::VectorXd slope = rows.jacobian.transpose() * rows.weighted;
+  const Eigen::Index n = shapes + own;
+  Eigen::MatrixXd square(n, n);
+  Eigen::VectorXd slope(n);
+  // Few long columns: dot products beat a general product, which would pack them first.
+  for (Eigen::Index i = 0; i < n; ++i) {
+    slope[i] = rows.jacobian.col(i).dot(rows.weighted);
+    for (Eigen::Index j = 0; j <= i; ++j)
+      square(i, j) = square(j, i) = rows.jacobian.col(i).dot(rows.jacobian.col(j));
+  }
   const Eigen::Index at = shapes + own * channel;
   to.matrix.topLeftCorner(shapes, shapes) += square.topLeftCorner(shapes, shapes);
   to.matrix.block(0, at, shapes, own) += square.topRightCorner(shapes, own);
