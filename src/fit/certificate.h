@@ -48,6 +48,14 @@ struct Indistinct {
   double eigenvalue = 0;  // of the curvature scaled to a unit diagonal; the largest is about 1
 };
 
+// Where a parameter can be, the others following, with an objective within 1 % of the best.
+struct Profile {
+  std::string field;
+  double lower = 0, upper = 0;
+  double part = 0;        // of the range that is searched
+  bool separate = false;  // are there worse values in between?
+};
+
 struct Albedo {
   double theta = 0;             // radians, of incidence
   std::vector<double> channels;
@@ -67,8 +75,10 @@ struct Certificate {
   std::vector<ParameterReport> parameters;
   std::vector<std::string> active_bounds;
   std::vector<Indistinct> indistinct;
+  std::vector<Profile> profiles;
   ErrorsByZone errors;  // on all data, whatever was fitted
   std::vector<Place> worst;
+  Regions regions;
   std::vector<Albedo> albedo;
   double cpu_seconds = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include "engine/evaluate.h"
@@ -14,6 +15,10 @@ namespace {
 constexpr std::size_t kRun = 4096;
 // Two places closer than this in both directions are one: cos(5 degrees).
 constexpr double kSamePlace = 0.9962;
+
+Eigen::ArrayXd part(std::span<const float> all, std::size_t first, Eigen::Index count) {
+  return Eigen::Map<const Eigen::ArrayXf>(&all[first], count).cast<double>();
+}
 
 // The terms of a run of pairs in one channel.
 struct Terms {
@@ -56,6 +61,32 @@ struct Sums {
   }
 };
 
+// Which region each pair of a run is in: 1 there, else 0.
+struct RegionMasks {
+  RegionMasks(const Data& data, std::size_t first, Eigen::Index n) {
+    const double close = std::cos(25 * std::numbers::pi / 180);
+    const auto at = [&](const std::vector<float>& all) { return part(all, first, n); };
+    const Eigen::ArrayXd along = at(data.wi[2]) * at(data.wo[2]);
+    const Eigen::ArrayXd across =
+        at(data.wi[0]) * at(data.wo[0]) + at(data.wi[1]) * at(data.wo[1]);
+    mirror = (along - across > close).cast<double>();
+    light = (along + across > close).cast<double>() * (1 - mirror);
+  }
+  Eigen::ArrayXd mirror, light;
+};
+
+void add(Region& region, const Eigen::ArrayXd& w, const Eigen::ArrayXd& f, const Terms& terms) {
+  region.measured += (w * terms.measured).sum();
+  region.fitted += (w * f).sum();
+  region.error += (w * terms.absolute).sum();
+}
+
+void divide(Region& region, double by) {
+  region.measured /= by;
+  region.fitted /= by;
+  region.error /= by;
+}
+
 // The places with the largest contributions so far, none beside another.
 class Worst {
  public:
@@ -93,14 +124,11 @@ std::array<double, 3> direction(const std::array<std::vector<float>, 3>& w, std:
   return {static_cast<double>(w[0][i]), static_cast<double>(w[1][i]), static_cast<double>(w[2][i])};
 }
 
-Eigen::ArrayXd part(std::span<const float> all, std::size_t first, Eigen::Index count) {
-  return Eigen::Map<const Eigen::ArrayXf>(&all[first], count).cast<double>();
-}
-
 }  // namespace
 
 Comparison compare(const Material& material, const Data& data, std::size_t worst) {
   Sums below, above;
+  Regions regions;
   Worst places(worst);
   std::vector<double> values(kRun * static_cast<std::size_t>(material.channels()));
   for (std::size_t first = 0; first < data.size(); first += kRun) {
@@ -116,12 +144,17 @@ Comparison compare(const Material& material, const Data& data, std::size_t worst
     const Eigen::ArrayXd w_above = low.select(w, 0), w_below = w - w_above;
     above.pairs += static_cast<std::size_t>(low.count());
     below.pairs += count - static_cast<std::size_t>(low.count());
+    const RegionMasks masks(data, first, n);
     for (int c = 0; c < data.channels; ++c) {
       const auto channel = static_cast<std::size_t>(material.channels() == 1 ? 0 : c);
       const Eigen::Map<const Eigen::ArrayXd> f(&values[channel * kRun], n);
       const Eigen::ArrayXd m = part(data.channel(c), first, n);
       const Eigen::ArrayXd m_cosine = m * cosine;
-      const Terms terms(f * cosine, m_cosine);
+      const Eigen::ArrayXd f_cosine = f * cosine;
+      const Terms terms(f_cosine, m_cosine);
+      add(regions.mirror, w * masks.mirror, f_cosine, terms);
+      add(regions.toward_light, w * masks.light, f_cosine, terms);
+      add(regions.elsewhere, w * (1 - masks.mirror - masks.light), f_cosine, terms);
       below.add(w_below, terms);
       above.add(w_above, terms);
       Eigen::Index at = 0;
@@ -132,7 +165,11 @@ Comparison compare(const Material& material, const Data& data, std::size_t worst
   }
   Sums all = below;
   all.add(above);
-  return {{all.errors(), below.errors(), above.errors()}, std::move(places).places(all.absolute)};
+  for (Region* region : {&regions.mirror, &regions.toward_light, &regions.elsewhere})
+    divide(*region, all.measured > 0 ? all.measured : 1);
+  return {{all.errors(), below.errors(), above.errors()},
+          regions,
+          std::move(places).places(all.absolute)};
 }
 
 }  // namespace gonio::fit

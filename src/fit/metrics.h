@@ -35,8 +35,19 @@ struct Place {
   double measured = 0, fitted = 0, share = 0;
 };
 
+// What is reflected in a region of directions, as parts of all that is measured (w m cos).
+struct Region {
+  double measured = 0, fitted = 0, error = 0;  // error: w |f - m| cos
+};
+
+// By where wo is: about the mirror direction of wi (25 degrees), else about wi itself, else anywhere.
+struct Regions {
+  Region mirror, toward_light, elsewhere;
+};
+
 struct Comparison {
   ErrorsByZone errors;
+  Regions regions;
   std::vector<Place> worst;  // the worst first
 };
 

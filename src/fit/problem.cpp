@@ -174,6 +174,27 @@ double Problem::cost(std::span<const double> parameters, bool exact, const Stop&
   return sum;
 }
 
+void Problem::visit_rows(std::span<const double> parameters, const Stop& stop,
+                         const std::function<void(const PairRows&)>& visitor) const {
+  Rows rows;
+  PairRows given;
+  visit(parameters, true, stop,
+        [&](const Basis& basis, Tile tile, int c, std::span<const double> coefficients) {
+          const auto n = static_cast<Eigen::Index>(tile.count);
+          reflectance(basis, tile.count, coefficients, rows.f);
+          residuals(tile, c, loss_, rows);
+          rows.root.setOnes(n);
+          fill_jacobian(basis, tile.count, coefficients, rows);
+          given.first = tile.first;
+          given.channel = c;
+          given.weight = Eigen::Map<const Eigen::ArrayXd>(&weights_[tile.first], n);
+          given.predicted = rows.f * Eigen::Map<const Eigen::ArrayXd>(&cosines_[tile.first], n);
+          given.residual = rows.residual;
+          given.jacobian = rows.jacobian;
+          visitor(given);
+        });
+}
+
 double Problem::mean_residual(std::span<const double> parameters, const Stop& stop) const {
   Loss loss = loss_;
   Rows rows;

@@ -27,6 +27,15 @@ struct Equations {
   Eigen::MatrixXd matrix;
 };
 
+// One channel's pairs of a tile, for sums that a fit does not need but its certificate does.
+struct PairRows {
+  std::size_t first = 0;                 // of the pairs
+  int channel = 0;
+  Eigen::ArrayXd weight;
+  Eigen::ArrayXd predicted, residual;    // f cos, e
+  Eigen::MatrixXd jacobian;              // de / d(shapes, then the channel's coefficients)
+};
+
 class Problem {
  public:
   // Both must outlive this. `cosine`: whether a residual is of f cos, or of f.
@@ -41,6 +50,8 @@ class Problem {
   // The weighted sum of losses; that of their exact form, not smoothed, if `exact`.
   double cost(std::span<const double> parameters, bool exact, const Stop& stop) const;
   Equations equations(std::span<const double> parameters, const Stop& stop) const;
+  void visit_rows(std::span<const double> parameters, const Stop& stop,
+                  const std::function<void(const PairRows&)>& visitor) const;
   // The weighted mean of |e|, in the residual's unit.
   double mean_residual(std::span<const double> parameters, const Stop& stop) const;
 

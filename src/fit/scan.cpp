@@ -11,12 +11,6 @@ constexpr int kPasses = 4;
 constexpr std::size_t kFinest = 28;  // nodes along a lobe's width: a factor of about 2 in s
 constexpr std::size_t kMostNodes = 900;
 
-// How wide a lobe is changes f most and is not known at all; Fresnel and shares are gentle.
-bool is_width(const ShapeParameter& shape) {
-  const std::string& name = shape.names.front();
-  return shape.scale.logarithmic && name != "eta" && name != "k";
-}
-
 // Nodes along each axis, fewer where there are many axes.
 std::vector<std::size_t> axis_counts(const Form& form) {
   std::vector<std::size_t> counts;
@@ -82,6 +76,11 @@ std::vector<double> shapes_of(std::size_t node, const std::vector<std::vector<do
 }
 
 }  // namespace
+
+bool is_width(const ShapeParameter& shape) {
+  const std::string& name = shape.names.front();
+  return shape.scale.logarithmic && name != "eta" && name != "k";
+}
 
 std::vector<std::vector<double>> scan_axes(const Form& form) {
   const auto counts = axis_counts(form);

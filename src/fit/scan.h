@@ -10,6 +10,9 @@
 
 namespace gonio::fit {
 
+// Does it say how wide a lobe is? That changes f most; Fresnel and shares are gentle.
+bool is_width(const ShapeParameter& shape);
+
 // The values of each shape (search scale) along the grid: roughness finest, since lobes that do not
 // overlap know nothing of each other.
 std::vector<std::vector<double>> scan_axes(const Form& form);

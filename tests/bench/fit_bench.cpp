@@ -4,7 +4,8 @@
 //   fit_bench time         CPU seconds of each model and objective on 20,000 pairs, and polished
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
+#include <cstdlib>
+#include <random>
 
 #include "fit/fit.h"
 #include "fit/published.h"
@@ -19,14 +20,40 @@ constexpr std::array kMaterials{"nickel", "two-layer-silver",    "violet-rubber"
 constexpr std::array kObjectives{fit::Objective::l1, fit::Objective::l2, fit::Objective::log,
                                  fit::Objective::cbrt};
 
-fit::Data load(const char* name) {
+// With multiplicative log-normal noise, and some cells not measured, on request.
+fit::Data load(const char* name, double noise = 0, double invalid = 0) {
   const auto material = testing::NpfMaterial::load(name);
   if (!material) {
     std::fprintf(stderr, "fit_bench: no material '%s' in %s\n", name,
                  testing::data_folder().c_str());
     std::exit(1);
   }
-  return fit::from_table(**MeasuredTable::from_values(testing::tabulate(*material)));
+  std::vector<float> values = testing::tabulate(*material);
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform;
+  for (std::size_t i = 0; noise > 0 && i < values.size(); i += 3) {
+    const bool drop = uniform(random) < invalid;
+    const double factor = std::exp(noise * normal(random));
+    for (std::size_t c = 0; c < 3; ++c)
+      values[i + c] = drop ? -1 : static_cast<float>(values[i + c] * factor);
+  }
+  return fit::from_table(**MeasuredTable::from_values(values));
+}
+
+// Random shapes over all that a person might try.
+void draw(std::mt19937_64& random, LobeSpec& lobe) {
+  std::uniform_real_distribution<double> uniform;
+  const auto between = [&](double low, double high) {
+    return std::vector{low * std::pow(high / low, uniform(random))};
+  };
+  lobe.parameters["eta"] = std::vector{1 + between(0.05, 20)[0]};
+  if (lobe.model == "cook_torrance") {
+    lobe.parameters["m"] = between(3e-3, 1);
+  } else {
+    lobe.parameters["s"] = between(0.5, 1e5);
+  }
+  if (lobe.model == "phong_mix") lobe.parameters["mix"] = std::vector{uniform(random)};
 }
 
 double metric(const fit::Errors& errors, fit::Objective objective) {
@@ -53,11 +80,11 @@ double best_published(const std::string& model, const std::string& material, con
   for (const char* table : {"low_%s_E1", "low_%s_E2", "ngan_%s"}) {
     char name[64];
     std::snprintf(name, sizeof name, table, model.c_str());
-    const auto spec = testing::published(name, material);
-    if (!spec) continue;
-    const auto made = Material::create(*spec);
-    if (!made) std::printf("%s\n", made.error().message.c_str()), std::exit(1);
-    best = std::min(best, metric(fit::compare(*made, data, 0).errors.below_80, objective));
+    for (const MaterialSpec& spec : testing::published(name, material)) {
+      const auto made = Material::create(spec);
+      if (!made) std::printf("%s\n", made.error().message.c_str()), std::exit(1);
+      best = std::min(best, metric(fit::compare(*made, data, 0).errors.below_80, objective));
+    }
   }
   return best;
 }
@@ -113,13 +140,55 @@ void print_times() {
   }
 }
 
+// Ends of random starts, compared with the best objective that any start of either strategy finds.
+void print_independence(int starts) {
+  constexpr std::array kModels{"phong", "blinn_phong", "phong_mix", "cook_torrance"};
+  std::array<int, 2> good{};
+  int total = 0;
+  for (std::size_t set = 0; set < kMaterials.size() + 4; ++set) {
+    const bool noisy = set >= kMaterials.size();
+    const char* name = kMaterials[set % kMaterials.size()];
+    const fit::Data data = fit::within(load(name, noisy ? 0.1 : 0, noisy ? 0.02 : 0), 0, fit::kGrazing);
+    for (const char* model : kModels) {
+      std::array<std::vector<double>, 2> ends;
+      std::mt19937_64 random(1);
+      double seconds = 0;
+      for (int start = 0; start < starts; ++start) {
+        MaterialSpec form = form_of(model, "dielectric");
+        draw(random, form.specular[0]);
+        for (std::size_t strategy = 0; strategy < 2; ++strategy) {
+          fit::Options options;
+          options.strategy = strategy == 0 ? fit::Strategy::automatic : fit::Strategy::staged;
+          const auto result = fit::fit(data, form, options);
+          ends[strategy].push_back(result->certificate.stages.back().objective);
+          if (strategy == 0) seconds += result->certificate.cpu_seconds;
+        }
+      }
+      double best = 1e300;
+      for (const auto& all : ends) best = std::min(best, *std::min_element(all.begin(), all.end()));
+      std::printf("%-20s%s %-14s best %.4f", name, noisy ? "*" : " ", model, best);
+      for (std::size_t strategy = 0; strategy < 2; ++strategy) {
+        const auto count = std::count_if(ends[strategy].begin(), ends[strategy].end(),
+                                         [&](double end) { return end <= 1.01 * best; });
+        good[strategy] += static_cast<int>(count);
+        std::printf("  %s %ld", strategy == 0 ? "auto" : "staged", count);
+      }
+      std::printf(" of %d  (auto %.2f s)\n", starts, seconds / starts);
+      std::fflush(stdout);
+      total += starts;
+    }
+  }
+  std::printf("auto %d, staged %d of %d\n", good[0], good[1], total);
+}
+
 }  // namespace
 }  // namespace gonio::bench
 
 int main(int argc, char** argv) {
-  const std::string what = argc == 2 ? argv[1] : "";
+  const std::string what = argc > 1 ? argv[1] : "";
   if (what == "published") return gonio::bench::compare_with_published();
   if (what == "time") return gonio::bench::print_times(), 0;
+  if (what == "starts") return gonio::bench::print_independence(argc > 2 ? std::atoi(argv[2]) : 50), 0;
   std::fputs("usage: fit_bench published|time\n", stderr);
   return 2;
 }

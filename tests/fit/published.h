@@ -3,13 +3,16 @@
 // Conventions, checked against values known for them: Loew et al. 2012 give Cook & Torrance's lobe
 // with an exact dielectric Fresnel and a prefactor of 1/pi (four of ours), and Ashikhmin & Shirley's
 // with the normal reflectance of an index; Ngan et al. 2005 give Schlick's F0, and colours that lack
-// MERL's factors on green and blue.
+// MERL's factors on green and blue. What Ngan's Cook & Torrance lobe is divided by can be read in two
+// ways: 4 n.wi n.wo, or pi n.wi n.wo. Neither is better for all materials, so both are given.
 #pragma once
 
 #include <array>
 #include <fstream>
+#include <numbers>
 #include <optional>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -49,11 +52,11 @@ inline std::vector<double> times(std::vector<double> colour, const std::array<do
   return colour;
 }
 
-// The published material, or nothing where the table lacks it. `table` is a file's name without
-// its ending.
-inline std::optional<MaterialSpec> published(const std::string& table, const std::string& material) {
+// The published material, in all its readings; none where the table lacks it. `table` is a file's
+// name without its ending.
+inline std::vector<MaterialSpec> published(const std::string& table, const std::string& material) {
   const auto line = published_line(table, material);
-  if (!line) return std::nullopt;
+  if (!line) return {};
   const bool ngan = table.rfind("ngan", 0) == 0;
   const bool cook = table.find("cooktorrance") != std::string::npos;
   const std::array<double, 3> factor = ngan ? std::array{1.0, 1.15, 1.66} : std::array{1.0, 1.0, 1.0};
@@ -73,9 +76,14 @@ inline std::optional<MaterialSpec> published(const std::string& table, const std
     lobe.parameters["rs"] = std::vector{ngan ? given : root * root};
     lobe.parameters["nu"] = lobe.parameters["nv"] = line->numbers("sharpness");
   }
-  lobe.parameters["scale"] = scale;
-  spec.specular = {lobe};
-  return spec;
+  std::vector<MaterialSpec> readings;
+  for (const double reading : {1.0, 4 / std::numbers::pi}) {
+    lobe.parameters["scale"] = times(scale, {reading, reading, reading});
+    spec.specular = {lobe};
+    readings.push_back(spec);
+    if (!ngan || !cook) break;
+  }
+  return readings;
 }
 
 }  // namespace gonio::testing
