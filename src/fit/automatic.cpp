@@ -57,8 +57,8 @@ std::vector<Candidate> descend(const SearchInput& input, const Form& form, Probl
 bool same(const Form& form, const Candidate& a, const Candidate& b) {
   for (std::size_t i = 0; i < form.shapes.size(); ++i) {
     const ShapeParameter& shape = form.shapes[i];
-    const double range = shape.scale.to_search(shape.scan_upper) -
-                         shape.scale.to_search(shape.scan_lower);
+    const double range =
+        shape.scale.to_search(shape.scan_upper) - shape.scale.to_search(shape.scan_lower);
     if (std::abs(a.parameters[i] - b.parameters[i]) > 0.01 * range) return false;
   }
   return true;
@@ -103,7 +103,7 @@ Search search_automatic(const SearchInput& input) {
   // Another seed than the fit's: a sample that misleads does so once.
   const Data pairs = subset(input.data, input.options.scan_pairs, input.options.seed + 1);
   Problem problem(input.form, pairs, input.loss, input.options.cosine);
-  const Scan nodes = scan(problem, input.options.starts, input.watch.stop);
+  const Scan nodes = scan(problem, input.options.starts, input.watch);
   if (nodes.stopped || nodes.best.empty()) return search;
   search.stages.push_back({"scan", nodes.best.front().cost, pairs.size(),
                            static_cast<int>(nodes.nodes), cpu_seconds() - begin});

@@ -117,8 +117,7 @@ void add_shapes(const NamedLobe& named, const CheckedLobe& lobe,
   for (const Parameter& p : lobe.model->parameters) {
     if (p.kind == Kind::word || is_colour(p) || !is_used(p, words)) continue;
     const bool given = named.spec->parameters.contains(p.name);
-    ShapeParameter* partner =
-        options.anisotropic ? nullptr : tied_to(p.name, form.shapes, index);
+    ShapeParameter* partner = options.anisotropic ? nullptr : tied_to(p.name, form.shapes, index);
     if (partner != nullptr) {
       partner->names.emplace_back(p.name);
       continue;
@@ -140,11 +139,15 @@ Counts counts_of(Columns columns, bool alone) {
   switch (columns) {
     case Columns::diffuse:
     case Columns::scaled:
-    case Columns::reflectance: return {1, 1};
-    case Columns::quadratic_diffuse: return {2, 1};
-    case Columns::schlick: return {2, 2};
+    case Columns::reflectance:
+      return {1, 1};
+    case Columns::quadratic_diffuse:
+      return {2, 1};
+    case Columns::schlick:
+      return {2, 2};
     // Its own diffuse term only where there is no base.
-    case Columns::ashikhmin_shirley: return alone ? Counts{3, 3} : Counts{2, 2};
+    case Columns::ashikhmin_shirley:
+      return alone ? Counts{3, 3} : Counts{2, 2};
   }
   return {};
 }
@@ -194,12 +197,22 @@ LobeSpec column_lobe(const Form& form, std::size_t index, std::span<const double
   set_shapes(form, index, shapes, spec);
   using Numbers = std::vector<double>;
   switch (lobe.columns) {
-    case Columns::diffuse: spec.parameters["rd"] = Numbers{1}; break;
+    case Columns::diffuse:
+      spec.parameters["rd"] = Numbers{1};
+      break;
     // Two points of the parabola; its coefficients are worked out from them.
-    case Columns::quadratic_diffuse: spec.parameters["rd"] = Numbers{0.5, 1}; break;
-    case Columns::scaled: spec.parameters["scale"] = Numbers{1}; break;
-    case Columns::reflectance: spec.parameters["rs"] = Numbers{1}; break;
-    case Columns::schlick: spec.parameters["f0"] = Numbers{1, 0}; break;
+    case Columns::quadratic_diffuse:
+      spec.parameters["rd"] = Numbers{0.5, 1};
+      break;
+    case Columns::scaled:
+      spec.parameters["scale"] = Numbers{1};
+      break;
+    case Columns::reflectance:
+      spec.parameters["rs"] = Numbers{1};
+      break;
+    case Columns::schlick:
+      spec.parameters["f0"] = Numbers{1, 0};
+      break;
     case Columns::ashikhmin_shirley:
       spec.parameters["rs"] = lobe.column_count == 3 ? Numbers{1, 0, 0} : Numbers{1, 0};
       if (lobe.column_count == 3) {

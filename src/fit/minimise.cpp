@@ -9,7 +9,8 @@
 namespace gonio::fit {
 namespace {
 
-// Eigenvalues below this part of the largest (of the matrix scaled to a unit diagonal) are rounding.
+// Eigenvalues below this part of the largest (of the matrix scaled to a unit diagonal) are
+// rounding.
 constexpr double kNull = 1e-14;
 
 // R and r with R'R = H and R'r = g on H's range.
@@ -132,7 +133,8 @@ Minimum minimise(const Problem& problem, std::span<const double> start,
   if (free.empty()) return result;
   const Bounds bounds = bounds_of(problem.form(), problem.data().channels);
   std::vector<double> x;
-  for (const std::size_t i : free) x.push_back(std::clamp(start[i], bounds.lower[i], bounds.upper[i]));
+  for (const std::size_t i : free)
+    x.push_back(std::clamp(start[i], bounds.lower[i], bounds.upper[i]));
   ceres::Problem ceres_problem;
   ceres_problem.AddResidualBlock(new Block(problem, start, free, options.stop), nullptr, x.data());
   for (std::size_t i = 0; i < free.size(); ++i) {
@@ -159,7 +161,8 @@ Minimum minimise_by_stages(Problem& problem, std::span<const double> start,
   for (const double part : smooth_parts) {
     if (options.stop && options.stop()) break;
     if (problem.loss().absolute())
-      problem.set_smooth(std::max(part * problem.mean_residual(best.parameters, options.stop), 1e-12));
+      problem.set_smooth(
+          std::max(part * problem.mean_residual(best.parameters, options.stop), 1e-12));
     Minimum next = minimise(problem, best.parameters, options);
     next.iterations += best.iterations;
     best = std::move(next);

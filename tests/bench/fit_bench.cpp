@@ -1,7 +1,8 @@
 // Fits against the best that is published for eight materials, and what they cost.
 //
-//   fit_bench published    64 cells: two models x eight materials x four metrics, at theta <= 80 deg
-//   fit_bench time         CPU seconds of each model and objective on 20,000 pairs, and polished
+//   fit_bench published    64 cells: two models x eight materials x four metrics, at theta <= 80
+//   deg fit_bench time         CPU seconds of each model and objective on 20,000 pairs, and
+//   polished
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -15,8 +16,9 @@
 namespace gonio::bench {
 namespace {
 
-constexpr std::array kMaterials{"nickel", "two-layer-silver",    "violet-rubber", "red-fabric2",
-                                "chrome", "gold-metallic-paint", "blue-acrylic",  "white-diffuse-bball"};
+constexpr std::array kMaterials{
+    "nickel", "two-layer-silver",    "violet-rubber", "red-fabric2",
+    "chrome", "gold-metallic-paint", "blue-acrylic",  "white-diffuse-bball"};
 constexpr std::array kObjectives{fit::Objective::l1, fit::Objective::l2, fit::Objective::log,
                                  fit::Objective::cbrt};
 
@@ -58,10 +60,14 @@ void draw(std::mt19937_64& random, LobeSpec& lobe) {
 
 double metric(const fit::Errors& errors, fit::Objective objective) {
   switch (objective) {
-    case fit::Objective::l2: return errors.rmse;
-    case fit::Objective::log: return errors.log;
-    case fit::Objective::cbrt: return errors.cbrt;
-    default: return errors.l1;
+    case fit::Objective::l2:
+      return errors.rmse;
+    case fit::Objective::log:
+      return errors.log;
+    case fit::Objective::cbrt:
+      return errors.cbrt;
+    default:
+      return errors.l1;
   }
 }
 
@@ -148,7 +154,8 @@ void print_independence(int starts) {
   for (std::size_t set = 0; set < kMaterials.size() + 4; ++set) {
     const bool noisy = set >= kMaterials.size();
     const char* name = kMaterials[set % kMaterials.size()];
-    const fit::Data data = fit::within(load(name, noisy ? 0.1 : 0, noisy ? 0.02 : 0), 0, fit::kGrazing);
+    const fit::Data data =
+        fit::within(load(name, noisy ? 0.1 : 0, noisy ? 0.02 : 0), 0, fit::kGrazing);
     for (const char* model : kModels) {
       std::array<std::vector<double>, 2> ends;
       std::mt19937_64 random(1);
@@ -188,7 +195,8 @@ int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";
   if (what == "published") return gonio::bench::compare_with_published();
   if (what == "time") return gonio::bench::print_times(), 0;
-  if (what == "starts") return gonio::bench::print_independence(argc > 2 ? std::atoi(argv[2]) : 50), 0;
+  if (what == "starts")
+    return gonio::bench::print_independence(argc > 2 ? std::atoi(argv[2]) : 50), 0;
   std::fputs("usage: fit_bench published|time\n", stderr);
   return 2;
 }
