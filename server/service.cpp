@@ -2,7 +2,10 @@
 
 #include <utility>
 
+#include "server/evaluation.h"
+#include "server/integration.h"
 #include "server/list_models.h"
+#include "server/sampling.h"
 #include "server/stream_call.h"
 #include "server/unary_call.h"
 #include "wire/status.h"
@@ -13,7 +16,7 @@ grpc::ServerUnaryReactor* Service::ListModels(grpc::CallbackServerContext* conte
                                               const v1::ListModelsRequest* request,
                                               v1::ListModelsResponse* response) {
   grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
-  const AccessLine access("ListModels", *context, backend_.logger);
+  const AccessLine access("ListModels", "models", *context, backend_.logger);
   auto listed = list_models(*request, backend_.materials);
   const grpc::Status status = listed ? grpc::Status::OK : wire::to_status(listed.error());
   if (listed) *response = std::move(*listed);
@@ -25,12 +28,29 @@ grpc::ServerUnaryReactor* Service::ListModels(grpc::CallbackServerContext* conte
 grpc::ServerUnaryReactor* Service::Evaluate(grpc::CallbackServerContext* context,
                                             const grpc::ByteBuffer* request,
                                             grpc::ByteBuffer* response) {
-  return UnaryCall::start(backend_, *context, *request, *response);
+  return UnaryCall<Evaluation>::start(backend_, *context, *request, *response);
 }
 
 grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* Service::EvaluateStream(
     grpc::CallbackServerContext* context) {
-  return new StreamCall(backend_, *context);
+  return new StreamCall<Evaluation>(backend_, *context);
+}
+
+grpc::ServerUnaryReactor* Service::Sample(grpc::CallbackServerContext* context,
+                                          const grpc::ByteBuffer* request,
+                                          grpc::ByteBuffer* response) {
+  return UnaryCall<Sampling>::start(backend_, *context, *request, *response);
+}
+
+grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* Service::SampleStream(
+    grpc::CallbackServerContext* context) {
+  return new StreamCall<Sampling>(backend_, *context);
+}
+
+grpc::ServerUnaryReactor* Service::Integrate(grpc::CallbackServerContext* context,
+                                             const grpc::ByteBuffer* request,
+                                             grpc::ByteBuffer* response) {
+  return UnaryCall<Integration>::start(backend_, *context, *request, *response);
 }
 
 }  // namespace gonio

@@ -18,5 +18,7 @@ struct Command {
 
 Command add_models_command(CLI::App& app);
 Command add_evaluate_command(CLI::App& app);
+Command add_sample_command(CLI::App& app);
+Command add_albedo_command(CLI::App& app);
 
 }  // namespace gonio::cli
