@@ -1,4 +1,4 @@
-// What the handlers share: the parts of the server they work with, and how a batch gets onto the
+// What the handlers share: the parts of the server they work with, and how work gets onto the
 // compute pool.
 #pragma once
 
@@ -14,9 +14,9 @@
 #include "base/happens_before.h"
 #include "base/result.h"
 #include "engine/thread_pool.h"
-#include "server/evaluation.h"
 #include "server/materials.h"
 #include "server/memory_budget.h"
+#include "server/work.h"
 
 namespace grpc {
 class CallbackServerContext;
@@ -71,12 +71,12 @@ class CallState {
   std::chrono::system_clock::time_point deadline_;
 };
 
-// Computes small batches at once and queues the others; `done(completed)` is called exactly once,
+// Does small work at once and queues the other; `done(completed)` is called exactly once,
 // here or by a compute thread, unless the queue or the memory is full: then the error says so and
-// `done` is not called. The evaluation's memory is charged for as long as its charge is kept. The
+// `done` is not called. The work's memory is charged for as long as its charge is kept. The
 // call is asked before each tile whether it is over; `state` must live until `done`.
-Outcome compute(const Backend& backend, const std::shared_ptr<Evaluation>& evaluation,
-                const CallState& state, std::function<void(bool completed)> done);
+Outcome compute(const Backend& backend, const std::shared_ptr<Work>& work, const CallState& state,
+                std::function<void(bool completed)> done);
 
 // How long a client that was refused for this should wait: some jobs are done by then.
 inline constexpr const char* kPushbackMilliseconds = "20";
@@ -84,13 +84,14 @@ inline constexpr const char* kPushbackMilliseconds = "20";
 // One line a call, at level debug.
 struct AccessLine {
   const char* method;
+  const char* items_name;  // "pairs"
   std::string peer;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  std::size_t batches = 0, failed = 0, pairs = 0;
+  std::size_t batches = 0, failed = 0, items = 0;
   double kernel_seconds = 0;
 
-  AccessLine(const char* method_name, const grpc::CallbackServerContext& context,
-             const spdlog::logger& logger);
+  AccessLine(const char* method_name, const char* name_of_items,
+             const grpc::CallbackServerContext& context, const spdlog::logger& logger);
   void write(spdlog::logger& logger, const std::string& outcome) const;
 };
 

@@ -2,7 +2,10 @@
 
 #include <utility>
 
+#include "server/evaluation.h"
+#include "server/integration.h"
 #include "server/list_models.h"
+#include "server/sampling.h"
 #include "server/stream_call.h"
 #include "server/unary_call.h"
 #include "wire/status.h"
@@ -20,7 +23,7 @@ grpc::ServerUnaryReactor* Service::ListModels(grpc::CallbackServerContext* conte
                                               v1::ListModelsResponse* response) {
   backend_.call_begins();
   grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
-  const AccessLine access("ListModels", *context, backend_.logger);
+  const AccessLine access("ListModels", "models", *context, backend_.logger);
   auto listed = list_models(*request, backend_.materials);
   const grpc::Status status = listed ? grpc::Status::OK : wire::to_status(listed.error());
   if (listed) *response = std::move(*listed);
@@ -34,13 +37,33 @@ grpc::ServerUnaryReactor* Service::Evaluate(grpc::CallbackServerContext* context
                                             const grpc::ByteBuffer* request,
                                             grpc::ByteBuffer* response) {
   backend_.call_begins();
-  return UnaryCall::start(backend_, *context, *request, *response);
+  return UnaryCall<Evaluation>::start(backend_, *context, *request, *response);
 }
 
 grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* Service::EvaluateStream(
     grpc::CallbackServerContext* context) {
   backend_.call_begins();
-  return new StreamCall(backend_, *context);
+  return new StreamCall<Evaluation>(backend_, *context);
+}
+
+grpc::ServerUnaryReactor* Service::Sample(grpc::CallbackServerContext* context,
+                                          const grpc::ByteBuffer* request,
+                                          grpc::ByteBuffer* response) {
+  backend_.call_begins();
+  return UnaryCall<Sampling>::start(backend_, *context, *request, *response);
+}
+
+grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* Service::SampleStream(
+    grpc::CallbackServerContext* context) {
+  backend_.call_begins();
+  return new StreamCall<Sampling>(backend_, *context);
+}
+
+grpc::ServerUnaryReactor* Service::Integrate(grpc::CallbackServerContext* context,
+                                             const grpc::ByteBuffer* request,
+                                             grpc::ByteBuffer* response) {
+  backend_.call_begins();
+  return UnaryCall<Integration>::start(backend_, *context, *request, *response);
 }
 
 }  // namespace gonio

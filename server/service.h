@@ -1,5 +1,5 @@
-// The gRPC service: each handler translates, calls, translates. Evaluate and EvaluateStream take
-// raw bytes, so that the large arrays never become messages.
+// The gRPC service: each handler translates, calls, translates. All but ListModels take
+// raw bytes, so that large arrays never become messages.
 //
 // Thread safety: as gRPC calls it, from any thread.
 #pragma once
@@ -10,9 +10,13 @@
 namespace gonio {
 
 using WireService = v1::GonioService;
-using RawService =
-    WireService::WithCallbackMethod_ListModels<WireService::WithRawCallbackMethod_Evaluate<
-        WireService::WithRawCallbackMethod_EvaluateStream<WireService::Service>>>;
+// Those that do not take messages.
+using RawEvaluate = WireService::WithRawCallbackMethod_Evaluate<
+    WireService::WithRawCallbackMethod_EvaluateStream<WireService::Service>>;
+using RawSample = WireService::WithRawCallbackMethod_Sample<
+    WireService::WithRawCallbackMethod_SampleStream<RawEvaluate>>;
+using RawService = WireService::WithCallbackMethod_ListModels<
+    WireService::WithRawCallbackMethod_Integrate<RawSample>>;
 
 class Service final : public RawService {
  public:
@@ -27,6 +31,15 @@ class Service final : public RawService {
                                      grpc::ByteBuffer* response) override;
   grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* EvaluateStream(
       grpc::CallbackServerContext* context) override;
+
+  grpc::ServerUnaryReactor* Sample(grpc::CallbackServerContext* context,
+                                   const grpc::ByteBuffer* request,
+                                   grpc::ByteBuffer* response) override;
+  grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* SampleStream(
+      grpc::CallbackServerContext* context) override;
+  grpc::ServerUnaryReactor* Integrate(grpc::CallbackServerContext* context,
+                                      const grpc::ByteBuffer* request,
+                                      grpc::ByteBuffer* response) override;
 
  private:
   Backend backend_;

@@ -10,18 +10,20 @@ namespace gonio::cli {
 
 class Progress {
  public:
-  explicit Progress(bool wanted);
+  // `items`: what is counted, such as "pairs".
+  Progress(bool wanted, const char* items);
   ~Progress();  // takes the bar away
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   // `fraction` done, 0 to 1, where that is known. Draws a few times a second at most.
-  void update(std::uint64_t pairs, std::optional<double> fraction);
+  void update(std::uint64_t done, std::optional<double> fraction);
 
  private:
   using Clock = std::chrono::steady_clock;
 
   bool shown_;
+  const char* items_;
   bool drawn_ = false;
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_;

@@ -32,6 +32,7 @@ class FakeService final : public v1::GonioService::Service {
   grpc::Status failure{grpc::StatusCode::UNAVAILABLE, "not now"};
   std::string pushback;  // trailing metadata of a failed call; empty for none
   std::function<void(v1::EvaluateResponse&)> spoil = [](auto&) {};
+  std::function<void(v1::SampleResponse&)> spoil_samples = [](auto&) {};
   std::atomic<int> break_after{-1};    // end a stream after so many answers, once
   bool reverse = false;                // answer chunks two by two, the second first
   std::atomic<int> chunk_failures{0};  // answer so many chunks with `chunk_error`
@@ -83,6 +84,33 @@ class FakeService final : public v1::GonioService::Service {
       for (; !held.empty(); held.pop_back(), ++answered) stream->Write(held.back());
     }
     for (; !held.empty(); held.pop_back()) stream->Write(held.back());
+    return grpc::Status::OK;
+  }
+
+  // The pdf of a sample is its number in the whole request.
+  grpc::Status SampleStream(grpc::ServerContext* /*context*/,
+                            grpc::ServerReaderWriter<v1::SampleStreamResponse,
+                                                     v1::SampleStreamRequest>* stream) override {
+    ++streams;
+    v1::SampleStreamRequest request;
+    for (int answered = 0; stream->Read(&request); ++answered) {
+      if (break_after >= 0 && answered >= break_after) {
+        break_after = -1;
+        return failure;
+      }
+      const v1::SampleRequest& asked = request.sample();
+      v1::SampleStreamResponse response;
+      response.set_sequence(request.sequence());
+      v1::SampleResponse& samples = *response.mutable_sample();
+      samples.set_channels(1);
+      for (std::uint64_t i = 0; i < asked.count(); ++i) {
+        samples.add_pdf(static_cast<float>(asked.first_wi() * asked.per_wi() + asked.first() + i));
+        samples.add_weights(asked.wi(static_cast<int>(3 * ((asked.first() + i) / asked.per_wi()))));
+      }
+      samples.mutable_wo()->Resize(static_cast<int>(3 * asked.count()), 0);
+      spoil_samples(samples);
+      stream->Write(response);
+    }
     return grpc::Status::OK;
   }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -250,6 +251,54 @@ TEST_F(Retry, ErrorOfSourceOrSinkIsPassedOn) {
   report = client->evaluate_chunks<float, float>(Material::named("x"), source, refuse);
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.error().message, "mine");
+}
+
+// 40 directions, whose x says which one it is, with 25 samples each.
+class SampleRetry : public Retry {
+ protected:
+  static constexpr std::size_t kDirections = 40, kPerWi = 25;
+
+  SampleRetry() : wi_(3 * kDirections), wo_(3 * kSamples), pdf_(kSamples), weights_(kSamples) {
+    for (std::size_t i = 0; i < kDirections; ++i) wi_[3 * i] = static_cast<float>(i);
+  }
+
+  Result<Report> sample() {
+    auto client = Client::connect(server_.address(), quick());
+    if (!client) return client.error();
+    client::SampleBatch<float> batch;
+    batch.wi = wi_;
+    batch.per_wi = kPerWi;
+    return client->sample(Material::named("x"), batch, {wo_, pdf_, weights_, {}});
+  }
+
+  static constexpr std::size_t kSamples = kDirections * kPerWi;
+  std::vector<float> wi_, wo_, pdf_, weights_;
+};
+
+TEST_F(SampleRetry, WhatABrokenStreamLostIsDrawnAgain) {
+  service().break_after = 3;
+  auto report = sample();
+  ASSERT_TRUE(report.ok()) << report.error().message;
+  EXPECT_EQ(report->retries, 1);
+  EXPECT_EQ(service().streams, 2);
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    EXPECT_EQ(pdf_[i], static_cast<float>(i));
+    EXPECT_EQ(weights_[i], static_cast<float>(i / kPerWi));
+  }
+}
+
+TEST_F(SampleRetry, AnswersOfWrongLengthsAreErrors) {
+  const std::vector<std::function<void(gonio::v1::SampleResponse&)>> spoils = {
+      [](auto& samples) { samples.mutable_pdf()->RemoveLast(); },
+      [](auto& samples) { samples.mutable_wo()->RemoveLast(); },
+      [](auto& samples) { samples.add_weights(1); }, [](auto& samples) { samples.set_flags("x"); },
+      [](auto& samples) { samples.set_channels(0); }};
+  for (const auto& spoil : spoils) {
+    service().spoil_samples = spoil;
+    auto report = sample();
+    ASSERT_FALSE(report.ok());
+    EXPECT_THAT(report.error().message, HasSubstr("makes no sense"));
+  }
 }
 
 }  // namespace

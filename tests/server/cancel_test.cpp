@@ -19,7 +19,7 @@ using Clock = std::chrono::system_clock;
 std::shared_ptr<Evaluation> evaluation_of(std::size_t pairs) {
   const std::string bytes = ggx_request(random_pairs(pairs)).SerializeAsString();
   const grpc::Slice slice(bytes);
-  const auto request = wire::decode_request(grpc::ByteBuffer(&slice, 1));
+  const auto request = wire::decode<wire::Request>(grpc::ByteBuffer(&slice, 1));
   auto evaluation = Evaluation::prepare(*request, core_ggx(), std::size_t{64} << 20);
   EXPECT_TRUE(evaluation.ok());
   return *evaluation;
