@@ -65,8 +65,10 @@ Columns columns_of(const CheckedLobe& lobe,
 // Where a refractive index is searched, and how closely it may come to 1: at 1 + 1e-3 a lobe's
 // reflectance is its limit for an index of 1 to a thousandth, and its scale still within bounds.
 constexpr double kLeastEta = 1 + 1e-3;
-// What is added to a logarithmic parameter that may be 0.
-constexpr double kLogOffset = 0.01;
+// What is added to a logarithmic parameter that may be 0: near 0 its scale is linear.
+constexpr double kLogOffset = 1;
+
+constexpr double kLeastScannedExponent = 0.3;
 
 ShapeParameter shape_of(const Parameter& p, bool dielectric) {
   ShapeParameter shape{};
@@ -78,6 +80,8 @@ ShapeParameter shape_of(const Parameter& p, bool dielectric) {
   if (shape.scale.logarithmic && p.lower <= 0) shape.scale.offset = -kLogOffset;
   shape.scan_lower = p.lower;
   shape.scan_upper = p.upper;
+  // At an exponent of 0 a lobe has no shape to descend by; a descent may still go there.
+  if (shape.scale.offset < 0) shape.scan_lower = kLeastScannedExponent;
   if (p.name == "eta" && dielectric) {
     shape.scale.offset = 1;
     shape.lower = kLeastEta;
@@ -87,6 +91,7 @@ ShapeParameter shape_of(const Parameter& p, bool dielectric) {
     shape.scan_upper = 10;
   } else if (p.name == "k") {
     shape.scale = {true, -kLogOffset};
+    shape.scan_lower = 0;
     shape.scan_upper = 10;
   }
   return shape;

@@ -155,6 +155,27 @@ Minimum minimise(const Problem& problem, std::span<const double> start,
   return result;
 }
 
+namespace {
+
+// Holds what a bound holds at `x`: a step over all parameters that is cut there would be short and
+// askew for the others.
+std::vector<bool> not_held(const Problem& problem, std::span<const double> x,
+                           const MinimiseOptions& options) {
+  std::vector<bool> free = options.free;
+  if (free.empty()) free.assign(x.size(), true);
+  const Bounds bounds = bounds_of(problem.form(), problem.data().channels);
+  const Equations e = problem.equations(x, options.stop);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double slope = e.gradient[static_cast<Eigen::Index>(i)];
+    const bool held =
+        (x[i] <= bounds.lower[i] && slope > 0) || (x[i] >= bounds.upper[i] && slope < 0);
+    if (held) free[i] = false;
+  }
+  return free;
+}
+
+}  // namespace
+
 Minimum minimise_by_stages(Problem& problem, std::span<const double> start,
                            std::span<const double> smooth_parts, const MinimiseOptions& options) {
   Minimum best{{start.begin(), start.end()}, 0, 0, true};
@@ -163,7 +184,9 @@ Minimum minimise_by_stages(Problem& problem, std::span<const double> start,
     if (problem.loss().absolute())
       problem.set_smooth(
           std::max(part * problem.mean_residual(best.parameters, options.stop), 1e-12));
-    Minimum next = minimise(problem, best.parameters, options);
+    MinimiseOptions stage = options;
+    stage.free = not_held(problem, best.parameters, options);
+    Minimum next = minimise(problem, best.parameters, stage);
     next.iterations += best.iterations;
     best = std::move(next);
     if (!problem.loss().absolute()) break;

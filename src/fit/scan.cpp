@@ -7,15 +7,17 @@
 namespace gonio::fit {
 namespace {
 
-constexpr int kPasses = 4;
+constexpr int kPasses = 3;
 constexpr std::size_t kFinest = 28;  // nodes along a lobe's width: a factor of about 2 in s
-constexpr std::size_t kMostNodes = 900;
+constexpr std::size_t kMostNodes = 500;
 constexpr double kNone = 1e300;  // above every objective
 
 // Nodes along each axis, fewer where there are many axes.
 std::vector<std::size_t> axis_counts(const Form& form) {
   std::vector<std::size_t> counts;
-  for (const ShapeParameter& shape : form.shapes) counts.push_back(is_width(shape) ? kFinest : 6);
+  const std::size_t shapes = form.shapes.size(), gentle = shapes > 3 ? 3 : shapes > 2 ? 5 : 6;
+  for (const ShapeParameter& shape : form.shapes)
+    counts.push_back(is_width(shape) ? kFinest : gentle);
   const auto total = [&] {
     return std::accumulate(counts.begin(), counts.end(), std::size_t{1}, std::multiplies<>());
   };
