@@ -14,7 +14,7 @@ constexpr std::size_t kBatch = 65536;  // camera samples; as many pairs in a cal
 constexpr std::size_t kRun = 2048;     // camera samples, or points, that a thread takes at a time
 
 // What numbers are drawn for.
-enum Purpose : std::uint32_t { film = 0, light_direction = 1, surface_direction = 2, choice = 3 };
+enum Purpose : std::uint32_t { film = 0, light_direction = 1, surface_direction = 2 };
 
 // A camera sample that meets the object.
 struct Point {
@@ -145,10 +145,10 @@ class Batch {
     for_points([&](std::size_t i) {
       const Point& point = points_[i];
       const Xi uv = point.sequence.draw(point.index, surface_direction);
-      const Xi which = point.sequence.draw(point.index, choice);
+      const double which = point.sequence.draw_third(point.index, surface_direction);
       // Rounding to float32 must not reach 1.
       const auto number = [](double x) { return std::min(static_cast<float>(x), 0x1.fffffep-1F); };
-      xi_[3 * i] = number(which[0]), xi_[3 * i + 1] = number(uv[0]), xi_[3 * i + 2] = number(uv[1]);
+      xi_[3 * i] = number(which), xi_[3 * i + 1] = number(uv[0]), xi_[3 * i + 2] = number(uv[1]);
     });
     if (auto done = surface_.sample(viewers_, xi_, d.lights, d.pdf, d.values); !done) return done;
     for_points([&](std::size_t i) {
