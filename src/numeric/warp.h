@@ -61,7 +61,7 @@ GONIO_INLINE Exp2<Double<Exactness::exact>> exp2_of(Double<Exactness::exact> x) 
   return {power + power * change, (D(1) - power) - power * change};
 }
 
-// The direction at x turns, x in [0, 1): cosine and sine to 3e-7 and 5e-16, absolutely.
+// The direction at x turns, x in [0, 1): cosine and sine to 1e-6 and 2e-15, absolutely.
 template <class T>
 struct Turn {
   T cos, sin;
