@@ -45,7 +45,7 @@ class Evaluation {
 
   const Peer& peer_;
   const ClientOptions& options_;
-  const EvaluateOptions evaluate_options_;
+  EvaluateOptions evaluate_options_;
   const Material& material_;
   Patience patience_;  // for the probe and all that follows
   RequestHead head_;

@@ -20,7 +20,7 @@
 namespace gonio::cli {
 namespace {
 
-constexpr std::uint64_t kDefaultCount = 65536;
+constexpr std::int64_t kDefaultCount = 65536;
 
 constexpr const char* kFooter = R"(
 Angles: --theta 0,30,60, in degrees from the normal, in the plane of u and the normal (--phi turns it).
@@ -103,7 +103,7 @@ int run(const AlbedoArguments& arguments) {
 
   const auto start = std::chrono::steady_clock::now();
   auto albedos =
-      connection->client.integrate(*material, std::span<const T>(*wi), arguments.numbers.count,
+      connection->client.integrate(*material, std::span<const T>(*wi), arguments.numbers.per_wi(),
                                    arguments.numbers.source(), arguments.evaluate_options());
   if (!albedos) return fail(albedos.error());
   const std::vector<double> directions(wi->begin(), wi->end());

@@ -24,7 +24,8 @@ void add_number_options(CLI::App& command, NumberArguments& arguments) {
 Outcome check_count(const NumberArguments& arguments, std::uint64_t least,
                     std::uint64_t directions) {
   const std::uint64_t most = directions == 0 ? kMostSamples : kMostSamples / directions;
-  if (arguments.count >= least && arguments.count <= most) return Ok{};
+  if (arguments.count >= 0 && arguments.per_wi() >= least && arguments.per_wi() <= most)
+    return Ok{};
   return bad_value("--count", std::to_string(arguments.count),
                    std::to_string(least) + " to " + std::to_string(kMostSamples) +
                        ", all wi together" +

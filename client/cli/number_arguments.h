@@ -18,10 +18,11 @@ namespace gonio::cli {
 inline constexpr std::uint64_t kMostSamples = 1'000'000'000;
 
 struct NumberArguments {
-  std::uint64_t count = 0;  // of each wi
+  std::int64_t count = 0;  // of each wi; signed, so that -1 is refused as what it is
   std::uint64_t seed = 0;
   std::string sequence = "random";
 
+  [[nodiscard]] std::uint64_t per_wi() const { return static_cast<std::uint64_t>(count); }
   [[nodiscard]] client::NumberSource source() const;
 };
 

@@ -86,7 +86,7 @@ Result<client::Report> sample(const client::Client& client, const client::Materi
     if (auto fits = check_count(arguments.numbers, 1, directions); !fits) return fits.error();
     return given;
   };
-  return client.sample_chunks<T>(material, source, arguments.numbers.count,
+  return client.sample_chunks<T>(material, source, arguments.numbers.per_wi(),
                                  arguments.numbers.source(), sink, arguments.evaluate_options());
 }
 
@@ -108,7 +108,7 @@ int run(const SampleArguments& arguments) {
 
   const auto start = std::chrono::steady_clock::now();
   std::optional<std::uint64_t> rows;
-  if (directions) rows = *directions * arguments.numbers.count;
+  if (directions) rows = *directions * arguments.numbers.per_wi();
   const auto writer =
       make_writer<T>(*format, *output, sample_table(arguments.with_input), rows, {});
   auto result = sample<T>(connection->client, *material, arguments, *input, *writer);

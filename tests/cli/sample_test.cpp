@@ -97,6 +97,7 @@ TEST(SampleCommand, BadInputIsRefusedAndNothingIsWritten) {
   const std::string file = folder / "out.csv";
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"--wi 0,0,1 --count 0", "--count is 0; allowed: 1 to 1000000000"},
+      {"--wi 0,0,1 --count -1", "--count is -1"},
       {"--wi 0,0,1 --count 1000000000000", "--count is 1000000000000"},
       {"--wi 0,0,-1 --count 1", "--wi is 0,0,-1 (wi below the horizon)"},
       {"--wi 0,0,2 --count 1", "(not unit)"},

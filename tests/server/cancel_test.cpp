@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "server/busy_pool.h"
+#include "server/evaluation.h"
 #include "server/stream_client.h"
 #include "wire/codec.h"
 
