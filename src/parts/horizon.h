@@ -54,7 +54,7 @@ struct PowerProfile {
   using Real = typename N::Real;
   Real half_width;
   [[nodiscard]] GONIO_INLINE auto mass(const Colatitude<Real>& c) const {
-    return exp2_of(half_width * log2_one_minus(c.sin2));
+    return exp2_of(half_width * log2_of_rest(c.sin2, c.cos2));
   }
   [[nodiscard]] GONIO_INLINE Colatitude<Real> at(const Real& part) const {
     const auto cos2 = exp2_of(log2_one_minus(part) / half_width);

@@ -263,7 +263,7 @@ class SampleRetry : public Retry {
   }
 
   Result<Report> sample() {
-    auto client = Client::connect(server_.address(), quick());
+    auto client = Client::connect(server_->address(), quick());
     if (!client) return client.error();
     client::SampleBatch<float> batch;
     batch.wi = wi_;

@@ -20,8 +20,6 @@ using client::Samples;
 using client::Sequence;
 using ::testing::HasSubstr;
 
-class SampleTest : public ServerFixture {};
-
 template <class T>
 struct Drawn {
   std::vector<T> wo, pdf, weights;
@@ -37,19 +35,23 @@ struct Drawn {
 template <class T>
 std::vector<T> directions(std::size_t count) {
   std::vector<T> wi = RandomPairs<T>(count).wi;
-  for (std::size_t i = 2; i < wi.size(); i += 3) wi[i] = std::max(std::abs(wi[i]), T{1e-3});
+  for (std::size_t i = 2; i < wi.size(); i += 3)
+    wi[i] = std::max(std::abs(wi[i]), static_cast<T>(1e-3));
   return wi;
 }
 
-template <class T>
-Drawn<T> drawn(const client::Client& client, const SampleBatch<T>& batch, std::size_t samples,
-               client::Report* report = nullptr) {
-  Drawn<T> drawn(samples);
-  auto said = client.sample(ServerFixture::ggx(), batch, drawn.results());
-  EXPECT_TRUE(said.ok()) << said.error().message;
-  if (said && report != nullptr) *report = *said;
-  return drawn;
-}
+class SampleTest : public ServerFixture {
+ protected:
+  template <class T>
+  static Drawn<T> drawn(const client::Client& client, const SampleBatch<T>& batch,
+                        std::size_t samples, client::Report* report = nullptr) {
+    Drawn<T> to(samples);
+    auto said = client.sample(ggx(), batch, to.results());
+    EXPECT_TRUE(said.ok()) << said.error().message;
+    if (said && report != nullptr) *report = *said;
+    return to;
+  }
+};
 
 TEST_F(SampleTest, TransportsAndChunksChangeNoBit) {
   const auto wi = directions<float>(37);
