@@ -100,7 +100,8 @@ Findings check_samples(const SamplingSubject<T>& subject, const Place& place, Is
   const double bound = subject.sampler.material().error_bound(precision).relative;
   Notes notes;
   check_weights(subject, checked, bound, notes);
-  check_pdfs(subject, checked, sizeof(T) == sizeof(float) ? 5e-5 : bound, notes);
+  // 1 - sin^2 in float32 tells little of how much of a wide lobe a grazing horizon takes.
+  check_pdfs(subject, checked, sizeof(T) == sizeof(float) ? 2e-4 : bound, notes);
   check_again(subject, checked, isa, bound, notes);
   return notes.findings();
 }

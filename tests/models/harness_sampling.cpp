@@ -78,15 +78,19 @@ Integrated integrate(const SamplingSubject<double>& subject, const Place& place)
   const auto integrands = [&](const std::vector<double>& wo) {
     const auto [pdf, f] = subject.evaluate(place.wi, wo);
     std::vector<double> columns;
-    columns.reserve(pdf.size() + f.size());
+    columns.reserve(pdf.size() + 2 * f.size());
     for (std::size_t i = 0; i < pdf.size(); ++i) {
       columns.push_back(pdf[i]);
       for (std::size_t c = 0; c < channels; ++c)
         columns.push_back(f[i * channels + c] * wo[3 * i + 2]);
+      for (std::size_t c = 0; c < channels; ++c) {
+        const double value = f[i * channels + c] * wo[3 * i + 2];
+        columns.push_back(pdf[i] > 0 ? value * (value / pdf[i]) : 0);
+      }
     }
     return columns;
   };
-  Integrated all{Subdivision(unit, 1 + channels, integrands), {}, 0, false};
+  Integrated all{Subdivision(unit, 1 + 2 * channels, integrands), {}, 0, false};
   all.bins = all.subdivision.bins(1. / kBins);
   // Most materials lose none; a regular grid is for those that do.
   if (subject.draw(place.wi, numbers<double>(place.seed, kDrawn)).lost > 0)
@@ -138,17 +142,16 @@ template <class T>
 Findings check_albedo(const SamplingSubject<T>& subject, const Place& place,
                       const Integrated& integrated) {
   const Samples<T> samples = subject.draw(place.wi, numbers<T>(place.seed + 1, kDrawn));
+  const Subdivision& s = integrated.subdivision;
   Notes notes;
   for (std::size_t c = 0; c < subject.channels; ++c) {
-    double sum = 0, squares = 0;
-    for (std::size_t i = 0; i < kDrawn; ++i) {
-      const auto weight = static_cast<double>(samples.weights[i * subject.channels + c]);
-      sum += weight, squares += weight * weight;
-    }
-    const double mean = sum / kDrawn;
-    const double error = std::sqrt(std::max(0.0, squares / kDrawn - mean * mean) / kDrawn);
-    const double albedo = integrated.subdivision.integral(1 + c);
-    const double own = integrated.subdivision.change(1 + c) + 1e-6 * albedo;
+    double sum = 0;
+    for (std::size_t i = 0; i < kDrawn; ++i)
+      sum += static_cast<double>(samples.weights[i * subject.channels + c]);
+    const double mean = sum / kDrawn, albedo = s.integral(1 + c);
+    const double second_moment = s.integral(1 + subject.channels + c);
+    const double error = std::sqrt(std::max(0.0, second_moment - albedo * albedo) / kDrawn);
+    const double own = s.change(1 + c) + 1e-6 * albedo;
     if (!(std::abs(mean - albedo) <= 4 * error + own))
       notes.add(with_number(with_number(with_number("albedo by sampling", mean) + " +-", error) +
                                 ", by quadrature",

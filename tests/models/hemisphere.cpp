@@ -57,7 +57,7 @@ void Subdivision::lay_first_cells() {
   tidy(u_edges_);
   t_edges_ = {0};
   for (int k = 13; k >= 0; --k) t_edges_.push_back(std::ldexp(1, -2 * k));
-  t_edges_.push_back(0.5);
+  for (int k = 1; k <= 14; k += 2) t_edges_.push_back(1 - std::ldexp(1, -k));
   tidy(t_edges_);
   for (std::size_t u = 0; u + 1 < u_edges_.size(); ++u) {
     for (std::size_t t = 0; t + 1 < t_edges_.size(); ++t)

@@ -3,9 +3,10 @@
 // Its coordinates are those of the half-vector: its azimuth, and its colatitude as a fraction of
 // the one at which wo meets the horizon. In them no lobe about a half-vector or about the mirror
 // direction is too sharp, too long or too near to grazing, and the horizon is a straight edge. The
-// first cells shrink geometrically towards the normal and towards the azimuths along which lobes
-// are long (the tangents' and those along and across wi); cells are then halved, along whichever
-// coordinate changes more, until Gauss's rule agrees with itself.
+// first cells shrink geometrically towards the normal, towards the horizon, where the values of
+// grazing light bend, and towards the azimuths along which lobes are long (the tangents' and those
+// along and across wi); cells are then halved, along whichever coordinate changes more, until
+// Gauss's rule agrees with itself.
 #pragma once
 
 #include <array>
