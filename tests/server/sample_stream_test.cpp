@@ -4,6 +4,7 @@
 #include <map>
 
 #include "server/sample_requests.h"
+#include "server/stream_client.h"
 
 namespace gonio::testing {
 namespace {
@@ -12,13 +13,9 @@ using Answers = std::map<std::uint64_t, v1::SampleStreamResponse>;
 
 Answers stream(TestServer& server, const std::vector<v1::SampleStreamRequest>& chunks) {
   grpc::ClientContext context;
-  const auto call = server.stub->SampleStream(&context);
-  for (const auto& chunk : chunks) EXPECT_TRUE(call->Write(chunk));
-  call->WritesDone();
-  Answers answers;
-  for (v1::SampleStreamResponse answer; call->Read(&answer);) answers[answer.sequence()] = answer;
-  EXPECT_TRUE(call->Finish().ok());
-  return answers;
+  auto result = exchange(*server.stub->SampleStream(&context), chunks);
+  EXPECT_TRUE(result.status.ok()) << result.status.error_message();
+  return std::move(result.answers);
 }
 
 // Runs of 1000 samples of one request, the material with the first.

@@ -1,4 +1,4 @@
-// A plain client of EvaluateStream: sends all chunks, collects all answers by sequence number.
+// A plain client of the streaming calls: sends all chunks, collects all answers by sequence number.
 #pragma once
 
 #include <map>
@@ -10,32 +10,40 @@
 
 namespace gonio::testing {
 
-struct StreamResult {
+template <class Answer>
+struct StreamResultOf {
   grpc::Status status;
-  std::map<std::uint64_t, v1::EvaluateStreamResponse> answers;
+  std::map<std::uint64_t, Answer> answers;
 };
+using StreamResult = StreamResultOf<v1::EvaluateStreamResponse>;
 
-inline StreamResult stream(v1::GonioService::Stub& stub,
-                           const std::vector<v1::EvaluateStreamRequest>& chunks) {
-  grpc::ClientContext context;
-  const auto call = stub.EvaluateStream(&context);
+// On a call that has just begun.
+template <class Chunk, class Answer>
+StreamResultOf<Answer> exchange(grpc::ClientReaderWriter<Chunk, Answer>& call,
+                                const std::vector<Chunk>& chunks) {
   // Written from another thread: with flow control, a client that does not read cannot write for
   // ever.
   std::thread writer([&] {
     for (const auto& chunk : chunks) {
-      if (!call->Write(chunk)) break;
+      if (!call.Write(chunk)) break;
     }
-    call->WritesDone();
+    call.WritesDone();
   });
-  StreamResult result;
-  for (v1::EvaluateStreamResponse answer; call->Read(&answer);) {
+  StreamResultOf<Answer> result;
+  for (Answer answer; call.Read(&answer);) {
     const std::uint64_t sequence = answer.sequence();
     EXPECT_TRUE(result.answers.emplace(sequence, std::move(answer)).second)
         << sequence << " was answered twice";
   }
   writer.join();
-  result.status = call->Finish();
+  result.status = call.Finish();
   return result;
+}
+
+inline StreamResult stream(v1::GonioService::Stub& stub,
+                           const std::vector<v1::EvaluateStreamRequest>& chunks) {
+  grpc::ClientContext context;
+  return exchange(*stub.EvaluateStream(&context), chunks);
 }
 
 // `pairs` in chunks of `size`, the material with the first.
