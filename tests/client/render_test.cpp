@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "client/render/evaluator.h"
 #include "client/render/integrator.h"
 #include "client/server_fixture.h"
 
