@@ -80,8 +80,9 @@ class Batch {
     const auto index = static_cast<std::uint32_t>(number % samples);
     const Sequence sequence(sampling_.seed, static_cast<std::uint32_t>(pixel));
     const Xi jitter = sequence.draw(index, Purpose::film);
-    const Ray ray = scene_.camera.ray(static_cast<double>(pixel % width) + jitter[0],
-                                      static_cast<double>(pixel / width) + jitter[1]);
+    const std::uint64_t column = pixel % width, row = pixel / width;
+    const Ray ray = scene_.camera.ray(static_cast<double>(column) + jitter[0],
+                                      static_cast<double>(row) + jitter[1]);
     const auto frame = scene_.shape.hit(ray);
     if (!frame) {
       radiance_[place] =

@@ -7,7 +7,10 @@
 namespace gonio {
 namespace {
 
-using namespace sampling;
+using sampling::padded_to;
+using sampling::Run;
+using sampling::run_length;
+using sampling::Scratch;
 
 template <class In, class Out>
 std::uint8_t evaluate_all(const Sampler& sampler, const Batch<In, Out>& batch, Out* pdf, Isa isa) {

@@ -9,7 +9,12 @@
 namespace gonio {
 namespace {
 
-using namespace sampling;
+using sampling::for_flagged;
+using sampling::kAlignment;
+using sampling::padded_to;
+using sampling::Run;
+using sampling::run_length;
+using sampling::Scratch;
 
 // The numbers of samples, by which bad ones are found.
 template <class T>
