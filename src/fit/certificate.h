@@ -1,0 +1,86 @@
+// What a fit reports beside its material: how it came about, and how far it can be trusted.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "fit/metrics.h"
+#include "fit/objective.h"
+
+namespace gonio::fit {
+
+enum class Verdict : std::uint8_t {
+  converged,      // one optimum, inside the bounds, and the data determine it
+  bound_limited,  // a bound of the model's table holds the optimum
+  ambiguous,      // other parameters fit as well: the data cannot tell
+  failed,         // there is nothing to fit, or no descent ended
+};
+std::string_view name_of(Verdict verdict);  // "converged", "bound-limited", "ambiguous", "failed"
+
+struct Stage {
+  std::string name;
+  double objective = 0;  // on the pairs of this stage, as a part of that of f = 0
+  std::size_t pairs = 0;
+  int iterations = 0;
+  double cpu_seconds = 0;
+};
+
+// One descent on the scan's pairs, by its shape parameters (in the order of Certificate::shapes).
+struct Start {
+  bool given = false;  // the caller's guess; otherwise a node of the scan
+  std::vector<double> from, to;
+  double objective = 0;
+  bool agrees = false;  // within 1 % of the best
+};
+
+struct ParameterReport {
+  std::string field;  // "specular[0].parameters.eta"
+  int channel = -1;   // -1: shared by all
+  double value = 0, standard_error = 0;
+  bool at_bound = false;
+  double lower = 0, upper = 0;  // 95 % interval; for a logarithmic parameter symmetric in its log
+};
+
+// Directions in which the parameters can move and the data do not mind.
+struct Indistinct {
+  std::vector<std::string> fields;
+  double eigenvalue = 0;  // of the curvature scaled to a unit diagonal; the largest is about 1
+};
+
+// Where a parameter can be, the others following, with an objective within 1 % of the best.
+struct Profile {
+  std::string field;
+  double lower = 0, upper = 0;
+  double part = 0;        // of the range that is searched
+  bool separate = false;  // are there worse values in between?
+};
+
+struct Albedo {
+  double theta = 0;             // radians, of incidence
+  std::vector<double> channels;
+};
+
+struct Certificate {
+  Verdict verdict = Verdict::failed;
+  std::string reason;
+  Objective objective = Objective::l1;
+  std::size_t pairs = 0;  // of the data, after what was left out
+  LeftOut left_out;
+  std::vector<std::string> shapes;  // fields of the shared parameters
+  std::vector<Stage> stages;
+  std::vector<Start> starts;
+  std::size_t agreeing = 0;  // starts within 1 % of the best
+  double gradient_norm = 0;  // of the free parameters, each scaled by its own curvature
+  std::vector<ParameterReport> parameters;
+  std::vector<std::string> active_bounds;
+  std::vector<Indistinct> indistinct;
+  std::vector<Profile> profiles;
+  ErrorsByZone errors;  // on all data, whatever was fitted
+  std::vector<Place> worst;
+  Regions regions;
+  std::vector<Albedo> albedo;
+  double cpu_seconds = 0;
+};
+
+}  // namespace gonio::fit

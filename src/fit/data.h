@@ -1,0 +1,77 @@
+// Measured reflectance as a fit takes it: pairs of directions, values and weights.
+//
+// Directions are unit, in the local frame of engine/evaluate.h; values are in 1/sr, without a
+// cosine. A pair's weight is the measure of pairs of directions (in sr^2) that it stands for: all
+// pairs over the hemisphere together measure 4 pi^2. Cosines come in with the objective, not here.
+// Thread safety: plain data.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+#include "engine/evaluate.h"
+
+namespace gonio {
+class MeasuredTable;  // measured/table.h
+}
+
+namespace gonio::fit {
+
+// Entries that say nothing, counted by the first reason that holds.
+struct LeftOut {
+  std::size_t not_finite = 0;     // a direction, a value or a weight that is NaN or infinite
+  std::size_t not_unit = 0;       // a direction off unit length by more than 1e-3
+  std::size_t below_horizon = 0;  // a direction at or below the horizon
+  std::size_t negative = 0;       // a value below 0: MERL's mark of "not measured", or noise
+  std::size_t no_weight = 0;      // a weight that is not above 0
+  [[nodiscard]] std::size_t total() const {
+    return not_finite + not_unit + below_horizon + negative + no_weight;
+  }
+};
+
+struct Data {
+  int channels = 0;
+  std::array<std::vector<float>, 3> wi, wo;  // x, y, z
+  std::vector<float> weights;
+  std::vector<float> values;  // channel c of pair i at [c * size() + i]
+  LeftOut left_out;
+
+  [[nodiscard]] std::size_t size() const { return weights.size(); }
+  [[nodiscard]] std::span<const float> channel(int c) const {
+    return std::span(values).subspan(static_cast<std::size_t>(c) * size(), size());
+  }
+  [[nodiscard]] Directions<float> incident(std::size_t first) const {
+    return Directions<float>::separate(&wi[0][first], &wi[1][first], &wi[2][first]);
+  }
+  [[nodiscard]] Directions<float> outgoing(std::size_t first) const {
+    return Directions<float>::separate(&wo[0][first], &wo[1][first], &wo[2][first]);
+  }
+};
+
+// Arrays of pairs: interleaved xyz, values pair by pair ([pair][channel]). Without `weights` every
+// pair weighs the same, 4 pi^2 / pairs. Errors: invalid_argument for lengths that do not agree, or
+// a number of channels outside 1 to 64. Bad entries are no error: they are left out and counted.
+Result<Data> from_pairs(std::span<const double> wi, std::span<const double> wo,
+                        std::span<const double> values, int channels,
+                        std::span<const double> weights = {});
+
+// The cells of a MERL table at their centres. The weight is the exact measure of the pairs that
+// fall into a cell; cells without a measurement are left out as `negative`.
+Data from_table(const MeasuredTable& table);
+
+// The measure of all cells [theta_h][theta_d] summed over the given phi_d: what from_table weighs
+// by. Every cell's part above the horizon counts; all cells together measure 4 pi^2.
+double cell_measure(int theta_h, int theta_d, int phi_d);
+
+// The pairs for which min < max(theta_i, theta_o) <= max (radians). `left_out` is that of `data`.
+Data within(const Data& data, double min_theta, double max_theta);
+
+// About `count` pairs, one of each of as many equal runs of consecutive pairs, chosen by `seed`.
+// The weights grow so that they stand for all. The whole, if it is not larger.
+Data subset(const Data& data, std::size_t count, std::uint64_t seed);
+
+}  // namespace gonio::fit

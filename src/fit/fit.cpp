@@ -1,0 +1,68 @@
+#include "fit/fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "fit/certify.h"
+#include "fit/search.h"
+
+namespace gonio::fit {
+namespace {
+
+constexpr double kRightAngle = 1.5707963267948966;
+
+Outcome check(const Options& options) {
+  const auto number = [](double x) { return std::to_string(x); };
+  if (!(options.min_theta >= 0 && options.min_theta < options.max_theta))
+    return bad_value("options.min_theta", number(options.min_theta), "0 to below max_theta, in radians");
+  if (!(options.max_theta <= kRightAngle + 1e-9))
+    return bad_value("options.max_theta", number(options.max_theta), "at most pi/2, in radians");
+  if (!(options.huber > 0) || !std::isfinite(options.huber))
+    return bad_value("options.huber", number(options.huber), "above 0");
+  if (options.starts < 1 || options.starts > 100)
+    return bad_value("options.starts", std::to_string(options.starts), "1 to 100");
+  if (options.scan_pairs < 1 || options.fit_pairs < 1)
+    return bad_value("options.fit_pairs and scan_pairs", "0", "at least 1");
+  return Ok{};
+}
+
+// Huber's threshold in the residual's unit.
+double threshold_of(const Data& data, const Options& options) {
+  if (options.objective != Objective::huber) return 1;
+  double sum = 0, weights = 0;
+  for (int c = 0; c < data.channels; ++c) {
+    const auto values = data.channel(c);
+    for (std::size_t i = 0; i < data.size(); ++i) {
+      const auto w = static_cast<double>(data.weights[i]);
+      sum += w * static_cast<double>(values[i] * (options.cosine ? data.wi[2][i] : 1.F));
+      weights += w;
+    }
+  }
+  return sum > 0 ? options.huber * sum / weights : options.huber;
+}
+
+}  // namespace
+
+Result<FitResult> fit(const Data& data, const MaterialSpec& spec, const Options& options,
+                      const Watch& watch) {
+  const double begin = cpu_seconds();
+  if (auto ok = check(options); !ok) return ok.error();
+  const auto form = make_form(spec, {options.anisotropic});
+  if (!form) return form.error();
+  const bool whole = options.min_theta <= 0 && options.max_theta >= kRightAngle;
+  const Data zone = whole ? Data{} : within(data, options.min_theta, options.max_theta);
+  const Data& fitted = whole ? data : zone;
+  const Loss loss{options.objective, 0, threshold_of(fitted, options)};
+  const SearchInput input{*form, fitted, options, watch, loss};
+  if (fitted.size() == 0) return nothing_to_fit(data, options);
+  Search search = options.strategy == Strategy::staged ? search_staged(input) : search_automatic(input);
+  if (watch.stop && watch.stop())
+    return Error{ErrorCode::cancelled, "the fit was cancelled", {}, {}, {}};
+  FitResult result = certify(input, data, std::move(search));
+  result.certificate.cpu_seconds = cpu_seconds() - begin;
+  return result;
+}
+
+}  // namespace gonio::fit

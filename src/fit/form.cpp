@@ -1,0 +1,223 @@
+#include "fit/form.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "engine/material_impl.h"
+
+namespace gonio::fit {
+namespace {
+
+using Columns = FormLobe::Columns;
+
+// What a channel's coefficients stand for: all other numbers are shapes, shared by the channels.
+constexpr std::array<std::string_view, 4> kColours{"rd", "rs", "f0", "scale"};
+// Held equal where the material is isotropic.
+constexpr std::array<std::array<std::string_view, 2>, 2> kTied{
+    {{"nu", "nv"}, {"alpha_x", "alpha_y"}}};
+
+bool is_colour(const Parameter& p) {
+  return std::find(kColours.begin(), kColours.end(), p.name) != kColours.end();
+}
+
+// The words of a checked lobe: its kind counts their combinations, the last word the fastest.
+std::map<std::string, std::string, std::less<>> words_of(const CheckedLobe& lobe) {
+  std::map<std::string, std::string, std::less<>> words;
+  std::size_t kind = lobe.kind;
+  const auto& all = lobe.model->parameters;
+  for (std::size_t i = all.size(); i-- > 0;) {
+    if (all[i].kind != Kind::word) continue;
+    words[std::string(all[i].name)] = all[i].words[kind % all[i].words.size()];
+    kind /= all[i].words.size();
+  }
+  return words;
+}
+
+bool is_used(const Parameter& p, const std::map<std::string, std::string, std::less<>>& words) {
+  if (p.used_with.parameter.empty()) return true;
+  const auto word = words.find(p.used_with.parameter);
+  const auto& with = p.used_with.words;
+  return word != words.end() && std::find(with.begin(), with.end(), word->second) != with.end();
+}
+
+bool has(const ModelDescription& model, std::string_view name) {
+  return std::any_of(model.parameters.begin(), model.parameters.end(),
+                     [&](const Parameter& p) { return p.name == name; });
+}
+
+Columns columns_of(const CheckedLobe& lobe,
+                   const std::map<std::string, std::string, std::less<>>& words) {
+  const auto is = [&](std::string_view name, std::string_view word) {
+    const auto found = words.find(name);
+    return found != words.end() && found->second == word;
+  };
+  if (lobe.model->role == Role::diffuse)
+    return is("form", "full") ? Columns::quadratic_diffuse : Columns::diffuse;
+  if (has(*lobe.model, "rs")) {
+    return has(*lobe.model, "rd") ? Columns::ashikhmin_shirley : Columns::reflectance;
+  }
+  return is("fresnel", "schlick") ? Columns::schlick : Columns::scaled;
+}
+
+// Where a refractive index is searched, and how closely it may come to 1: at 1 + 1e-3 a lobe's
+// reflectance is its limit for an index of 1 to a thousandth, and its scale still within bounds.
+constexpr double kLeastEta = 1 + 1e-3;
+// What is added to a logarithmic parameter that may be 0.
+constexpr double kLogOffset = 0.01;
+
+ShapeParameter shape_of(const Parameter& p, bool dielectric) {
+  ShapeParameter shape{};
+  shape.names = {std::string(p.name)};
+  shape.lower = p.lower;
+  shape.upper = p.upper;
+  shape.start = p.start;
+  shape.scale.logarithmic = p.scale == Scale::logarithmic;
+  if (shape.scale.logarithmic && p.lower <= 0) shape.scale.offset = -kLogOffset;
+  shape.scan_lower = p.lower;
+  shape.scan_upper = p.upper;
+  if (p.name == "eta" && dielectric) {
+    shape.scale.offset = 1;
+    shape.lower = kLeastEta;
+    shape.scan_lower = 1.05;
+  } else if (p.name == "eta") {
+    shape.scan_lower = 0.1;
+    shape.scan_upper = 10;
+  } else if (p.name == "k") {
+    shape.scale = {true, -kLogOffset};
+    shape.scan_upper = 10;
+  }
+  return shape;
+}
+
+double mean(const std::vector<double>& numbers) {
+  return std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
+}
+
+// Is `name` the second of a pair of which `shapes` has the first?
+ShapeParameter* tied_to(std::string_view name, std::vector<ShapeParameter>& shapes,
+                        std::size_t lobe) {
+  for (const auto& [first, second] : kTied) {
+    if (name != second) continue;
+    for (ShapeParameter& shape : shapes) {
+      if (shape.lobe == lobe && shape.names.front() == first) return &shape;
+    }
+  }
+  return nullptr;
+}
+
+void add_shapes(const NamedLobe& named, const CheckedLobe& lobe,
+                const std::map<std::string, std::string, std::less<>>& words,
+                const FormOptions& options, Form& form) {
+  const std::size_t index = form.lobes.size() - 1;
+  const auto fresnel = words.find("fresnel");
+  const bool dielectric = fresnel != words.end() && fresnel->second == "dielectric";
+  for (const Parameter& p : lobe.model->parameters) {
+    if (p.kind == Kind::word || is_colour(p) || !is_used(p, words)) continue;
+    const bool given = named.spec->parameters.contains(p.name);
+    ShapeParameter* partner =
+        options.anisotropic ? nullptr : tied_to(p.name, form.shapes, index);
+    if (partner != nullptr) {
+      partner->names.emplace_back(p.name);
+      continue;
+    }
+    ShapeParameter shape = shape_of(p, dielectric);
+    shape.lobe = index;
+    shape.field = named.prefix + "parameters." + std::string(p.name);
+    shape.given = given;
+    if (given) shape.start = mean(lobe.values.all().find(p.name)->second);
+    shape.start = std::clamp(shape.start, shape.lower, shape.upper);
+    form.shapes.push_back(std::move(shape));
+  }
+}
+
+struct Counts {
+  std::size_t columns, coefficients;
+};
+Counts counts_of(Columns columns, bool alone) {
+  switch (columns) {
+    case Columns::diffuse:
+    case Columns::scaled:
+    case Columns::reflectance: return {1, 1};
+    case Columns::quadratic_diffuse: return {2, 1};
+    case Columns::schlick: return {2, 2};
+    // Its own diffuse term only where there is no base.
+    case Columns::ashikhmin_shirley: return alone ? Counts{3, 3} : Counts{2, 2};
+  }
+  return {};
+}
+
+void add_lobe(const NamedLobe& named, const CheckedLobe& checked, const FormOptions& options,
+              Form& form) {
+  const auto words = words_of(checked);
+  FormLobe lobe;
+  lobe.words.model = named.spec->model;
+  for (const auto& [name, word] : words) lobe.words.parameters[name] = word;
+  lobe.columns = columns_of(checked, words);
+  lobe.prefix = named.prefix;
+  lobe.alone = named.prefix.empty();
+  const Counts counts = counts_of(lobe.columns, lobe.alone);
+  lobe.first_column = form.columns;
+  lobe.column_count = counts.columns;
+  lobe.first_coefficient = form.coefficients;
+  lobe.coefficient_count = counts.coefficients;
+  form.columns += counts.columns;
+  form.coefficients += counts.coefficients;
+  const bool diffuse = checked.model->role == Role::diffuse;
+  form.coefficient_upper.resize(form.coefficients,
+                                diffuse ? 1 : std::numeric_limits<double>::infinity());
+  if (lobe.columns == Columns::ashikhmin_shirley && lobe.alone) form.coefficient_upper.back() = 1;
+  form.lobes.push_back(std::move(lobe));
+  add_shapes(named, checked, words, options, form);
+}
+
+}  // namespace
+
+double SearchScale::to_parameter(double u) const { return logarithmic ? offset + std::exp(u) : u; }
+double SearchScale::to_search(double p) const { return logarithmic ? std::log(p - offset) : p; }
+double SearchScale::slope(double u) const { return logarithmic ? std::exp(u) : 1; }
+
+void set_shapes(const Form& form, std::size_t lobe, std::span<const double> shapes, LobeSpec& to) {
+  for (std::size_t i = 0; i < form.shapes.size(); ++i) {
+    const ShapeParameter& shape = form.shapes[i];
+    if (shape.lobe != lobe) continue;
+    const double p = std::clamp(shape.scale.to_parameter(shapes[i]), shape.lower, shape.upper);
+    for (const std::string& name : shape.names) to.parameters[name] = std::vector{p};
+  }
+}
+
+LobeSpec column_lobe(const Form& form, std::size_t index, std::span<const double> shapes) {
+  const FormLobe& lobe = form.lobes[index];
+  LobeSpec spec = lobe.words;
+  set_shapes(form, index, shapes, spec);
+  using Numbers = std::vector<double>;
+  switch (lobe.columns) {
+    case Columns::diffuse: spec.parameters["rd"] = Numbers{1}; break;
+    // Two points of the parabola; its coefficients are worked out from them.
+    case Columns::quadratic_diffuse: spec.parameters["rd"] = Numbers{0.5, 1}; break;
+    case Columns::scaled: spec.parameters["scale"] = Numbers{1}; break;
+    case Columns::reflectance: spec.parameters["rs"] = Numbers{1}; break;
+    case Columns::schlick: spec.parameters["f0"] = Numbers{1, 0}; break;
+    case Columns::ashikhmin_shirley:
+      spec.parameters["rs"] = lobe.column_count == 3 ? Numbers{1, 0, 0} : Numbers{1, 0};
+      if (lobe.column_count == 3) {
+        spec.parameters["rd"] = Numbers{0, 0, 1};
+        spec.parameters["scale"] = Numbers{1, 1, 0};
+      }
+      break;
+  }
+  return spec;
+}
+
+Result<Form> make_form(const MaterialSpec& spec, const FormOptions& options) {
+  const Result<CheckedMaterial> checked = check_material(spec, {});
+  if (!checked) return checked.error();
+  Form form;
+  for (std::size_t i = 0; i < checked->lobes.size(); ++i)
+    add_lobe(checked->named[i], checked->lobes[i], options, form);
+  return form;
+}
+
+}  // namespace gonio::fit

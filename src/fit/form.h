@@ -1,0 +1,80 @@
+// What is fitted: the lobes of a material, the shape parameters that all channels share, and the
+// columns of which each channel's reflectance is a sum.
+//
+// With the shape parameters held, f_c = sum_k v_k(x_c) column_k: a lobe without Fresnel, or with
+// that of a dielectric or conductor, is one column (its colour scale the coefficient); one with
+// Schlick's is two, since scale (f0 + (1 - f0) w) = scale f0 + (scale (1 - f0)) w is linear in two
+// numbers that are not negative; Ashikhmin and Shirley's own diffuse term is one more. A specular
+// column is divided by its lobe's value at normal incidence and h = n, so that a coefficient says
+// how high the lobe is, whatever its width and Fresnel: eta and scale do not fight. The one model
+// that is not linear in its colour, oren_nayar's full form, is quadratic: its second column takes
+// the square of the first's coefficient.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "engine/material.h"
+
+namespace gonio::fit {
+
+// The scale in which a shape parameter is searched: p = offset + exp(u), or p = u.
+struct SearchScale {
+  bool logarithmic = false;
+  double offset = 0;
+  [[nodiscard]] double to_parameter(double u) const;
+  [[nodiscard]] double to_search(double p) const;
+  [[nodiscard]] double slope(double u) const;  // dp/du
+};
+
+struct ShapeParameter {
+  std::size_t lobe;                // whose parameter it is
+  std::vector<std::string> names;  // one, or two that are held equal (alpha_x and alpha_y)
+  std::string field;               // as errors name it, e.g. "specular[0].parameters.m"
+  SearchScale scale;
+  double lower, upper, start;            // of the parameter
+  double scan_lower, scan_upper;         // where a scan looks
+  bool given = false;                    // is `start` the caller's?
+};
+
+struct FormLobe {
+  // Where its coefficients come from and go to.
+  enum class Columns { diffuse, quadratic_diffuse, scaled, reflectance, schlick, ashikhmin_shirley };
+  LobeSpec words;  // the model and its words, no numbers
+  Columns columns = Columns::scaled;
+  std::size_t first_column = 0, column_count = 1;
+  std::size_t first_coefficient = 0, coefficient_count = 1;
+  std::string prefix;  // "diffuse.", "specular[0].", "" for a model alone
+  bool alone = false;
+};
+
+struct Form {
+  std::vector<FormLobe> lobes;
+  std::vector<ShapeParameter> shapes;
+  std::size_t columns = 0, coefficients = 0;  // of a channel
+  std::vector<double> coefficient_upper;      // 1 for a diffuse colour, else infinity
+
+  [[nodiscard]] std::size_t parameters(int channels) const {
+    return shapes.size() + coefficients * static_cast<std::size_t>(channels);
+  }
+};
+
+struct FormOptions {
+  bool anisotropic = false;  // nu and nv, alpha_x and alpha_y each by themselves
+};
+
+// From a specification whose words (and models) say what is fitted and whose numbers, where there
+// are any, are the caller's guess. Errors are those of Material::create, or name what cannot be
+// fitted (a measured table).
+Result<Form> make_form(const MaterialSpec& spec, const FormOptions& options);
+
+// The shape parameters of one lobe (search scale), within the bounds of its model's table.
+void set_shapes(const Form& form, std::size_t lobe, std::span<const double> shapes, LobeSpec& to);
+
+// One lobe with the given shapes (search scale) as the columns want it: a "channel" a column.
+LobeSpec column_lobe(const Form& form, std::size_t lobe, std::span<const double> shapes);
+
+}  // namespace gonio::fit

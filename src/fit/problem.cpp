@@ -1,0 +1,228 @@
+#include "fit/problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "fit/arrays.h"
+
+namespace gonio::fit {
+namespace {
+
+bool is_quadratic(const FormLobe& lobe) {
+  return lobe.columns == FormLobe::Columns::quadratic_diffuse;
+}
+
+}  // namespace
+
+// One channel's pairs of a tile: reflectance, residuals, and the weighted Jacobian's rows.
+struct Problem::Rows {
+  Eigen::ArrayXd f, residual, slope, root;  // root: of the least-squares weight
+  Eigen::MatrixXd jacobian;                 // times root
+  Eigen::VectorXd weighted;                 // the residual times root
+};
+
+Problem::Problem(const Form& form, const Data& data, Loss loss, bool cosine)
+    : form_(form), data_(data), loss_(loss) {
+  const std::size_t n = data.size();
+  weights_.assign(data.weights.begin(), data.weights.end());
+  cosines_.assign(n, 1);
+  if (cosine) std::copy(data.wi[2].begin(), data.wi[2].end(), cosines_.begin());
+  measured_.resize(n * static_cast<std::size_t>(data.channels));
+  double total = 0;
+  for (int c = 0; c < data.channels; ++c) {
+    const auto values = data.channel(c);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double m = loss_.transformed(static_cast<double>(values[i]) * cosines_[i]);
+      measured_[static_cast<std::size_t>(c) * n + i] = m;
+      total += weights_[i] * loss_.loss(m);
+    }
+  }
+  weight_sum_ = std::accumulate(weights_.begin(), weights_.end(), 0.0);
+  const double unit = total > 0 ? total : weight_sum_;
+  for (double& w : weights_) w /= unit;
+  weight_sum_ /= unit;
+}
+
+template <class Visit>
+void Problem::visit(std::span<const double> parameters, bool derivatives, const Stop& stop,
+                    const Visit& visit_tile) const {
+  const BasisAt at(form_, parameters.first(form_.shapes.size()), derivatives);
+  Basis basis;
+  for (std::size_t first = 0; first < data_.size(); first += kTile) {
+    if (stop && stop()) return;
+    const std::size_t count = std::min(kTile, data_.size() - first);
+    at.evaluate(data_, first, count, basis);
+    for (int c = 0; c < data_.channels; ++c) {
+      const auto offset = form_.shapes.size() + form_.coefficients * static_cast<std::size_t>(c);
+      visit_tile(basis, Tile{first, count}, c, parameters.subspan(offset, form_.coefficients));
+    }
+  }
+}
+
+void Problem::reflectance(const Basis& basis, std::size_t count,
+                          std::span<const double> coefficients, Eigen::ArrayXd& f) const {
+  const auto n = static_cast<Eigen::Index>(count);
+  f.setZero(n);
+  for (const FormLobe& lobe : form_.lobes) {
+    for (std::size_t k = 0; k < lobe.column_count; ++k) {
+      const double x = coefficients[lobe.first_coefficient + (is_quadratic(lobe) ? 0 : k)];
+      const Eigen::Map<const Eigen::ArrayXd> column(
+          &basis.values[(lobe.first_column + k) * basis.stride], n);
+      f += (is_quadratic(lobe) && k == 1 ? x * x : x) * column;
+    }
+  }
+}
+
+// Fills residual and slope, and returns the weighted sum of losses.
+double Problem::residuals(Tile tile, int channel, const Loss& loss, Rows& rows) const {
+  const auto n = static_cast<Eigen::Index>(tile.count);
+  const Eigen::Map<const Eigen::ArrayXd> cosine(&cosines_[tile.first], n);
+  const Eigen::Map<const Eigen::ArrayXd> weight(&weights_[tile.first], n);
+  const Eigen::Map<const Eigen::ArrayXd> measured(&this->measured(channel)[tile.first], n);
+  if (loss.objective == Objective::log) {
+    rows.residual = (1 + rows.f * cosine).log() - measured;
+    rows.slope = cosine / (1 + rows.f * cosine);
+  } else if (loss.objective == Objective::cbrt) {
+    rows.residual = cube_root(rows.f * cosine);
+    rows.slope = cosine / (3 * rows.residual.square());
+    rows.residual -= measured;
+  } else {
+    rows.residual = rows.f * cosine - measured;
+    rows.slope = cosine;
+  }
+  if (loss.absolute()) {
+    rows.root = (rows.residual.square() + loss.smooth * loss.smooth).sqrt();
+    const double sum = (weight * rows.root).sum();
+    rows.root = (weight / rows.root.max(1e-300)).sqrt();
+    return sum;
+  }
+  if (loss.objective == Objective::huber) {
+    const Eigen::ArrayXd size = rows.residual.abs();
+    const Eigen::ArrayXd inner = size.min(loss.threshold);
+    rows.root = (weight * inner / size.max(1e-300)).sqrt();
+    return (weight * inner * (size - 0.5 * inner)).sum();
+  }
+  rows.root = weight.sqrt();
+  return 0.5 * (weight * rows.residual.square()).sum();
+}
+
+void Problem::fill_jacobian(const Basis& basis, std::size_t count,
+                            std::span<const double> coefficients, Rows& rows) const {
+  const auto n = static_cast<Eigen::Index>(count);
+  const auto shapes = static_cast<Eigen::Index>(form_.shapes.size());
+  rows.jacobian.resize(n, shapes + static_cast<Eigen::Index>(form_.coefficients));
+  const auto column = [&](std::size_t k) {
+    return Eigen::Map<const Eigen::ArrayXd>(&basis.values[k * basis.stride], n);
+  };
+  rows.slope *= rows.root;
+  for (Eigen::Index p = 0; p < shapes; ++p) {
+    const FormLobe& lobe = form_.lobes[form_.shapes[static_cast<std::size_t>(p)].lobe];
+    Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(n);
+    for (std::size_t k = 0; k < lobe.column_count; ++k) {
+      const double x = coefficients[lobe.first_coefficient + (is_quadratic(lobe) ? 0 : k)];
+      const std::size_t at =
+          static_cast<std::size_t>(p) * form_.columns + lobe.first_column + k;
+      sum += (is_quadratic(lobe) && k == 1 ? x * x : x) *
+             Eigen::Map<const Eigen::ArrayXd>(&basis.derivatives[at * basis.stride], n);
+    }
+    rows.jacobian.col(p) = (sum * rows.slope).matrix();
+  }
+  for (const FormLobe& lobe : form_.lobes) {
+    for (std::size_t k = 0; k < lobe.coefficient_count; ++k) {
+      const std::size_t j = lobe.first_coefficient + k;
+      auto target = rows.jacobian.col(shapes + static_cast<Eigen::Index>(j)).array();
+      target = column(lobe.first_column + k) * rows.slope;
+      if (is_quadratic(lobe))
+        target += 2 * coefficients[j] * column(lobe.first_column + 1) * rows.slope;
+    }
+  }
+}
+
+// A channel's rows touch the shapes and its own coefficients only.
+void Problem::add(const Rows& rows, int channel, Equations& to) const {
+  const auto shapes = static_cast<Eigen::Index>(form_.shapes.size());
+  const auto own = static_cast<Eigen::Index>(form_.coefficients);
+  const Eigen::Index n = shapes + own;
+  Eigen::MatrixXd square(n, n);
+  Eigen::VectorXd slope(n);
+  // Few long columns: dot products beat a general product, which would pack them first.
+  for (Eigen::Index i = 0; i < n; ++i) {
+    slope[i] = rows.jacobian.col(i).dot(rows.weighted);
+    for (Eigen::Index j = 0; j <= i; ++j)
+      square(i, j) = square(j, i) = rows.jacobian.col(i).dot(rows.jacobian.col(j));
+  }
+  const Eigen::Index at = shapes + own * channel;
+  to.matrix.topLeftCorner(shapes, shapes) += square.topLeftCorner(shapes, shapes);
+  to.matrix.block(0, at, shapes, own) += square.topRightCorner(shapes, own);
+  to.matrix.block(at, 0, own, shapes) += square.bottomLeftCorner(own, shapes);
+  to.matrix.block(at, at, own, own) += square.bottomRightCorner(own, own);
+  to.gradient.head(shapes) += slope.head(shapes);
+  to.gradient.segment(at, own) += slope.tail(own);
+}
+
+double Problem::cost(std::span<const double> parameters, bool exact, const Stop& stop) const {
+  Loss loss = loss_;
+  if (exact) loss.smooth = 0;
+  Rows rows;
+  double sum = 0;
+  visit(parameters, false, stop,
+        [&](const Basis& basis, Tile tile, int c, std::span<const double> coefficients) {
+          reflectance(basis, tile.count, coefficients, rows.f);
+          sum += residuals(tile, c, loss, rows);
+        });
+  return sum;
+}
+
+void Problem::visit_rows(std::span<const double> parameters, const Stop& stop,
+                         const std::function<void(const PairRows&)>& visitor) const {
+  Rows rows;
+  PairRows given;
+  visit(parameters, true, stop,
+        [&](const Basis& basis, Tile tile, int c, std::span<const double> coefficients) {
+          const auto n = static_cast<Eigen::Index>(tile.count);
+          reflectance(basis, tile.count, coefficients, rows.f);
+          residuals(tile, c, loss_, rows);
+          rows.root.setOnes(n);
+          fill_jacobian(basis, tile.count, coefficients, rows);
+          given.first = tile.first;
+          given.channel = c;
+          given.weight = Eigen::Map<const Eigen::ArrayXd>(&weights_[tile.first], n);
+          given.predicted = rows.f * Eigen::Map<const Eigen::ArrayXd>(&cosines_[tile.first], n);
+          given.residual = rows.residual;
+          given.jacobian = rows.jacobian;
+          visitor(given);
+        });
+}
+
+double Problem::mean_residual(std::span<const double> parameters, const Stop& stop) const {
+  Loss loss = loss_;
+  Rows rows;
+  double sum = 0;
+  visit(parameters, false, stop,
+        [&](const Basis& basis, Tile tile, int c, std::span<const double> coefficients) {
+          reflectance(basis, tile.count, coefficients, rows.f);
+          residuals(tile, c, loss, rows);
+          const Eigen::Map<const Eigen::ArrayXd> weight(&weights_[tile.first],
+                                                        static_cast<Eigen::Index>(tile.count));
+          sum += (weight * rows.residual.abs()).sum();
+        });
+  return sum / (weight_sum_ * data_.channels);
+}
+
+Equations Problem::equations(std::span<const double> parameters, const Stop& stop) const {
+  const auto n = static_cast<Eigen::Index>(this->parameters());
+  Equations result{0, Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(n, n)};
+  Rows rows;
+  visit(parameters, true, stop,
+        [&](const Basis& basis, Tile tile, int c, std::span<const double> coefficients) {
+          reflectance(basis, tile.count, coefficients, rows.f);
+          result.cost += residuals(tile, c, loss_, rows);
+          fill_jacobian(basis, tile.count, coefficients, rows);
+          rows.weighted = (rows.residual * rows.root).matrix();
+          add(rows, c, result);
+        });
+  return result;
+}
+
+}  // namespace gonio::fit

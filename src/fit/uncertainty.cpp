@@ -1,0 +1,190 @@
+#include "fit/uncertainty.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/registry.h"
+#include "fit/minimise.h"
+#include "fit/scores.h"
+
+namespace gonio::fit {
+namespace {
+
+constexpr double kNormal95 = 1.959963984540054;
+// Eigenvalues of a unit-diagonal matrix below this: a direction that the data do not see.
+constexpr double kUnseen = 1e-3;
+constexpr double kTakesPart = 0.3;  // a parameter's least share in such a direction
+
+struct Named {
+  std::string field;
+  int channel;  // -1: of all
+  double value;
+  const Parameter* parameter;
+};
+
+// A material's numbers in the order of its lobes and their tables; words and colours that the fit
+// does not touch are left out.
+void append_numbers(const FormLobe& lobe, const LobeSpec& spec, int channels,
+                    std::vector<Named>& to) {
+  for (const Parameter& p : (*find_model(spec.model))->parameters) {
+    const auto found = spec.parameters.find(p.name);
+    if (p.kind == Kind::word || found == spec.parameters.end()) continue;
+    const auto& numbers = std::get<std::vector<double>>(found->second);
+    const bool shared = p.kind == Kind::number || p.name == "eta" || p.name == "k";
+    for (int c = 0; c < (shared ? 1 : channels); ++c) {
+      const double value = numbers[numbers.size() == 1 ? 0 : static_cast<std::size_t>(c)];
+      to.push_back({lobe.prefix + "parameters." + std::string(p.name), shared ? -1 : c, value, &p});
+    }
+  }
+}
+
+std::vector<Named> numbers_of(const Form& form, std::span<const double> parameters, int channels) {
+  const MaterialSpec spec = to_material(form, parameters, channels);
+  std::vector<Named> numbers;
+  std::size_t specular = 0;
+  for (const FormLobe& lobe : form.lobes) {
+    const LobeSpec& made = lobe.alone                   ? *spec.model
+                           : lobe.prefix == "diffuse." ? *spec.diffuse
+                                                        : spec.specular[specular++];
+    append_numbers(lobe, made, channels, numbers);
+  }
+  return numbers;
+}
+
+// What the material's numbers change by with the fit's parameters.
+Eigen::MatrixXd slopes(const Form& form, std::span<const double> parameters, int channels,
+                       const std::vector<Named>& numbers) {
+  Eigen::MatrixXd J(static_cast<Eigen::Index>(numbers.size()),
+                    static_cast<Eigen::Index>(parameters.size()));
+  std::vector<double> x(parameters.begin(), parameters.end());
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    const double step = 1e-5 * std::max(std::abs(x[j]), 1e-3);
+    x[j] = parameters[j] + step;
+    const auto above = numbers_of(form, x, channels);
+    x[j] = parameters[j] - step;
+    const auto below = numbers_of(form, x, channels);
+    x[j] = parameters[j];
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      J(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+          (above[i].value - below[i].value) / (2 * step);
+    }
+  }
+  return J;
+}
+
+std::string field_of(const Form& form, std::size_t parameter) {
+  if (parameter < form.shapes.size()) return form.shapes[parameter].field;
+  const std::size_t own = (parameter - form.shapes.size()) % form.coefficients;
+  for (const FormLobe& lobe : form.lobes) {
+    const std::size_t at = own - lobe.first_coefficient;
+    if (own < lobe.first_coefficient || at >= lobe.coefficient_count) continue;
+    const bool diffuse = lobe.columns == FormLobe::Columns::diffuse ||
+                         lobe.columns == FormLobe::Columns::quadratic_diffuse || at == 2;
+    return lobe.prefix + "parameters." + (diffuse ? "rd" : "scale");
+  }
+  return {};
+}
+
+// The inverse of a positive semidefinite matrix; directions that it does not see get the variance
+// of the least that rounding lets it see.
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& H) {
+  const Eigen::VectorXd scale = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * H *
+                                                             scale.asDiagonal());
+  const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(1e-10).cwiseInverse();
+  return scale.asDiagonal() * eigen.eigenvectors() * values.asDiagonal() *
+         eigen.eigenvectors().transpose() * scale.asDiagonal();
+}
+
+// Directions of nearly no curvature, by the fields that take part. `H` is of the parameters `free`.
+std::vector<Indistinct> unseen(const Form& form, const Eigen::MatrixXd& H,
+                               const std::vector<std::size_t>& free) {
+  const Eigen::VectorXd scale = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * H *
+                                                             scale.asDiagonal());
+  std::vector<Indistinct> found;
+  for (Eigen::Index k = 0; k < eigen.eigenvalues().size(); ++k) {
+    if (eigen.eigenvalues()[k] > kUnseen) break;  // they come in rising order
+    Indistinct direction{{}, std::max(eigen.eigenvalues()[k], 0.0)};
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      const std::string field = field_of(form, free[i]);
+      const bool known = std::find(direction.fields.begin(), direction.fields.end(), field) !=
+                         direction.fields.end();
+      if (!known && std::abs(eigen.eigenvectors()(static_cast<Eigen::Index>(i), k)) > kTakesPart)
+        direction.fields.push_back(field);
+    }
+    found.push_back(std::move(direction));
+  }
+  return found;
+}
+
+// The parameters inside their bounds; the fields of the others go to `active`.
+std::vector<std::size_t> inside(const Form& form, std::span<const double> parameters, int channels,
+                                std::vector<std::string>& active) {
+  const Bounds bounds = bounds_of(form, channels);
+  std::vector<std::size_t> free;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const bool lower = parameters[i] <= bounds.lower[i] + 1e-9,
+               upper = parameters[i] >= bounds.upper[i] - 1e-9;
+    if (!lower && !upper) {
+      free.push_back(i);
+      continue;
+    }
+    const std::string field = field_of(form, i) + (lower ? " (lower)" : " (upper)");
+    if (std::find(active.begin(), active.end(), field) == active.end()) active.push_back(field);
+  }
+  return free;
+}
+
+ParameterReport report_of(const Named& number, double standard_error) {
+  ParameterReport report{number.field, number.channel, number.value, standard_error, false, 0, 0};
+  const Parameter& p = *number.parameter;
+  report.at_bound = number.value <= p.lower || number.value >= p.upper;
+  if (p.scale == Scale::logarithmic && number.value > 0) {
+    const double factor = std::exp(std::min(kNormal95 * standard_error / number.value, 700.0));
+    report.lower = number.value / factor;
+    report.upper = number.value * factor;
+  } else {
+    report.lower = number.value - kNormal95 * standard_error;
+    report.upper = number.value + kNormal95 * standard_error;
+  }
+  report.lower = std::max(report.lower, p.lower);
+  report.upper = std::min(report.upper, p.upper);
+  return report;
+}
+
+}  // namespace
+
+Uncertainty uncertainty_at(const Problem& problem, std::span<const double> parameters,
+                           std::size_t pairs, const Stop& stop) {
+  Uncertainty result;
+  const Form& form = problem.form();
+  const int channels = problem.data().channels;
+  const auto free = inside(form, parameters, channels, result.active_bounds);
+  const Sandwich sums = sandwich_at(problem, parameters, stop);
+  const Equations e = problem.equations(parameters, stop);
+  for (const std::size_t i : free) {
+    const auto at = static_cast<Eigen::Index>(i);
+    const double size = std::sqrt(std::max(2 * e.cost * e.matrix(at, at), 1e-300));
+    result.gradient_norm = std::max(result.gradient_norm, std::abs(e.gradient[at]) / size);
+  }
+  const Eigen::MatrixXd H = sums.curvature(free, free), S = sums.scatter(free, free);
+  if (!free.empty()) result.indistinct = unseen(form, H, free);
+  const Eigen::MatrixXd inverted = free.empty() ? H : inverse(H);
+  const double share = std::min(1.0, static_cast<double>(problem.data().size()) /
+                                         static_cast<double>(std::max<std::size_t>(pairs, 1)));
+  const Eigen::MatrixXd covariance = share * inverted * S * inverted;
+  const auto numbers = numbers_of(form, parameters, channels);
+  const Eigen::MatrixXd all = slopes(form, parameters, channels, numbers);
+  const Eigen::MatrixXd J = all(Eigen::all, free);
+  const Eigen::MatrixXd by_number = J * covariance * J.transpose();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    result.parameters.push_back(
+        report_of(numbers[i], std::sqrt(std::max(by_number(at, at), 0.0))));
+  }
+  return result;
+}
+
+}  // namespace gonio::fit

@@ -1,0 +1,141 @@
+#include "fit/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace gonio::fit {
+namespace {
+
+using Reason = std::optional<std::string>;
+
+std::string percent(double part) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g %%", 100 * part);
+  return text;
+}
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", x);
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& fields) {
+  std::string all;
+  for (const std::string& field : fields) all += (all.empty() ? "" : ", ") + field;
+  return all;
+}
+
+// Light that is measured where no lobe of these models can be.
+Reason not_the_model(const Certificate& report) {
+  const Region& light = report.regions.toward_light;
+  constexpr double kCounts = 0.05, kMissed = 0.5;
+  const double missing = light.measured - light.fitted;
+  if (light.measured > kCounts && missing > kMissed * light.measured) {
+    return "the data have a lobe toward the light (retro-reflection) that the model has not: " +
+           percent(missing) + " of what is measured is missing there";
+  }
+  if (!std::isfinite(report.errors.all.l1)) return "the errors are not finite";
+  return {};
+}
+
+// A coefficient of zero is a colour like any other; the other bounds hold an optimum.
+Reason held(const Certificate& report) {
+  std::vector<std::string> fields;
+  for (const std::string& field : report.active_bounds) {
+    const bool colour = field.find(".rd (lower)") != std::string::npos ||
+                        field.find(".scale (lower)") != std::string::npos ||
+                        field == "parameters.rd (lower)" || field == "parameters.scale (lower)";
+    if (!colour) fields.push_back(field);
+  }
+  if (fields.empty()) return {};
+  return "at its bound: " + joined(fields);
+}
+
+// Shapes of a lobe without height say nothing.
+Reason invisible(const Form& form, std::span<const double> parameters, int channels) {
+  for (const FormLobe& lobe : form.lobes) {
+    double height = 0;
+    for (int c = 0; c < channels; ++c) {
+      for (std::size_t k = 0; k < lobe.coefficient_count; ++k) {
+        height += parameters[form.shapes.size() + static_cast<std::size_t>(c) * form.coefficients +
+                             lobe.first_coefficient + k];
+      }
+    }
+    const auto index = static_cast<std::size_t>(&lobe - form.lobes.data());
+    const bool has_shape = std::any_of(form.shapes.begin(), form.shapes.end(),
+                                       [&](const ShapeParameter& s) { return s.lobe == index; });
+    if (has_shape && !(height > 0))
+      return "the lobe " + lobe.words.model + " has no height: its shape is arbitrary";
+  }
+  return {};
+}
+
+// Starts that end as low, but elsewhere.
+Reason other_basin(const Form& form, const Certificate& report) {
+  const auto best = std::min_element(
+      report.starts.begin(), report.starts.end(),
+      [](const Start& a, const Start& b) { return a.objective < b.objective; });
+  for (const Start& start : report.starts) {
+    if (!start.agrees) continue;
+    for (std::size_t i = 0; i < form.shapes.size(); ++i) {
+      const ShapeParameter& shape = form.shapes[i];
+      const auto place = [&](double p) { return shape.scale.to_search(std::max(p, shape.lower)); };
+      const double range = place(shape.scan_upper) - place(shape.scan_lower);
+      if (std::abs(place(start.to[i]) - place(best->to[i])) <= 0.1 * range) continue;
+      return "two optima within 1 %: " + shape.field + " at " + number(best->to[i]) + " and at " +
+             number(start.to[i]);
+    }
+  }
+  return {};
+}
+
+Reason wide_profile(const Certificate& report) {
+  constexpr double kWide = 0.25;  // of the range that is searched
+  for (const Profile& profile : report.profiles) {
+    if (profile.part <= kWide && !profile.separate) continue;
+    return profile.field + " is not determined: from " + number(profile.lower) + " to " +
+           number(profile.upper) + " the objective is within 1 % of the best" +
+           (profile.separate ? ", with worse values in between" : "");
+  }
+  return {};
+}
+
+Reason unseen(const Certificate& report) {
+  if (report.indistinct.empty()) return {};
+  return "the data do not tell apart " + joined(report.indistinct.front().fields);
+}
+
+Reason too_few(const Form& form, const Data& fitted) {
+  const std::size_t numbers = fitted.size() * static_cast<std::size_t>(fitted.channels);
+  const std::size_t parameters = form.parameters(fitted.channels);
+  if (numbers > parameters) return {};
+  return std::to_string(numbers) + " measured numbers for " + std::to_string(parameters) +
+         " parameters";
+}
+
+}  // namespace
+
+void judge(const Form& form, std::span<const double> parameters, const Data& fitted,
+           Certificate& report) {
+  const auto decide = [&](Verdict verdict, const Reason& reason) {
+    if (!reason || !report.reason.empty()) return;
+    report.verdict = verdict;
+    report.reason = *reason;
+  };
+  decide(Verdict::failed, not_the_model(report));
+  decide(Verdict::ambiguous, too_few(form, fitted));
+  decide(Verdict::ambiguous, invisible(form, parameters, fitted.channels));
+  decide(Verdict::ambiguous, other_basin(form, report));
+  decide(Verdict::ambiguous, wide_profile(report));
+  decide(Verdict::bound_limited, held(report));
+  decide(Verdict::ambiguous, unseen(report));
+  if (!report.reason.empty()) return;
+  report.verdict = Verdict::converged;
+  report.reason = std::to_string(report.agreeing) + " of " + std::to_string(report.starts.size()) +
+                  " starts end within 1 % of the best, inside all bounds";
+}
+
+}  // namespace gonio::fit
