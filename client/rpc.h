@@ -26,6 +26,7 @@ struct Peer {
 
 inline constexpr const char* kEvaluateMethod = "/gonio.v1.GonioService/Evaluate";
 inline constexpr const char* kEvaluateStreamMethod = "/gonio.v1.GonioService/EvaluateStream";
+inline constexpr const char* kFitMethod = "/gonio.v1.GonioService/Fit";
 inline constexpr const char* kListModelsMethod = "/gonio.v1.GonioService/ListModels";
 
 Result<grpc::ByteBuffer> call(const Peer& peer, const char* method, const grpc::ByteBuffer& request,

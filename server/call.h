@@ -14,6 +14,7 @@
 #include "base/result.h"
 #include "engine/thread_pool.h"
 #include "server/evaluation.h"
+#include "server/fit_queue.h"
 #include "server/materials.h"
 #include "server/memory_budget.h"
 
@@ -26,6 +27,12 @@ class logger;
 
 namespace gonio {
 
+// Where fits run, and for how long one may.
+struct FitBackend {
+  FitQueue& queue;
+  std::chrono::milliseconds longest;
+};
+
 // References to what outlives every call. Thread safety: all of it may be used from any thread.
 struct Backend {
   const Materials& materials;
@@ -34,6 +41,7 @@ struct Backend {
   std::size_t max_queued_jobs;
   spdlog::logger& logger;
   MemoryBudget& memory;
+  FitBackend fits;
 };
 
 // Whether a call's result is still wanted. Thread safety: any thread.
@@ -58,6 +66,7 @@ Outcome compute(const Backend& backend, const std::shared_ptr<Evaluation>& evalu
 
 // How long a client that was refused for this should wait: some jobs are done by then.
 inline constexpr const char* kPushbackMilliseconds = "20";
+inline constexpr const char* kFitPushbackMilliseconds = "1000";
 
 // One line a call, at level debug.
 struct AccessLine {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "server/fit_call.h"
 #include "server/list_models.h"
 #include "server/stream_call.h"
 #include "server/unary_call.h"
@@ -31,6 +32,11 @@ grpc::ServerUnaryReactor* Service::Evaluate(grpc::CallbackServerContext* context
 grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* Service::EvaluateStream(
     grpc::CallbackServerContext* context) {
   return new StreamCall(backend_, *context);
+}
+
+grpc::ServerWriteReactor<grpc::ByteBuffer>* Service::Fit(grpc::CallbackServerContext* context,
+                                                        const grpc::ByteBuffer* request) {
+  return FitCall::start(backend_, *context, *request);
 }
 
 }  // namespace gonio

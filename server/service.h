@@ -12,7 +12,8 @@ namespace gonio {
 using WireService = v1::GonioService;
 using RawService =
     WireService::WithCallbackMethod_ListModels<WireService::WithRawCallbackMethod_Evaluate<
-        WireService::WithRawCallbackMethod_EvaluateStream<WireService::Service>>>;
+        WireService::WithRawCallbackMethod_EvaluateStream<
+            WireService::WithRawCallbackMethod_Fit<WireService::Service>>>>;
 
 class Service final : public RawService {
  public:
@@ -26,6 +27,8 @@ class Service final : public RawService {
                                      grpc::ByteBuffer* response) override;
   grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* EvaluateStream(
       grpc::CallbackServerContext* context) override;
+  grpc::ServerWriteReactor<grpc::ByteBuffer>* Fit(grpc::CallbackServerContext* context,
+                                                 const grpc::ByteBuffer* request) override;
 
  private:
   Backend backend_;

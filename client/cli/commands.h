@@ -20,5 +20,7 @@ Command add_models_command(CLI::App& app);
 Command add_evaluate_command(CLI::App& app);
 Command add_lobe_command(CLI::App& app);
 Command add_render_command(CLI::App& app);
+Command add_fit_command(CLI::App& app);
+Command add_compare_command(CLI::App& app);
 
 }  // namespace gonio::cli

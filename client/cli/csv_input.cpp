@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "client/cli/csv_fields.h"
 #include "client/cli/numbers.h"
 #include "client/cli/pair_input.h"
 #include "engine/grid.h"
@@ -18,21 +19,6 @@ constexpr std::array<std::string_view, 4> kAngles = {"theta_i", "phi_i", "theta_
 constexpr const char* kHeaders =
     "a header with the columns wi_x,wi_y,wi_z,wo_x,wo_y,wo_z or theta_i,phi_i,theta_o,phi_o";
 constexpr std::size_t kUnused = 99;  // a column that is not ours
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
-}
-
-// Takes the field before the first comma off `rest`.
-std::string_view next_field(std::string_view& rest, bool& more) {
-  const std::size_t comma = rest.find(',');
-  more = comma != std::string_view::npos;
-  const std::string_view field = rest.substr(0, comma);
-  rest.remove_prefix(more ? comma + 1 : rest.size());
-  return trimmed(field);
-}
 
 // Which of our numbers each column of the file holds.
 struct Layout {

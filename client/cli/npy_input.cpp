@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstring>
-#include <regex>
 #include <utility>
 
+#include "client/cli/npy_header.h"
 #include "client/cli/pair_input.h"
 
 namespace gonio::cli {
@@ -12,69 +11,21 @@ namespace {
 
 constexpr const char* kAllowed =
     "an array of float32 or float64 ('<f4' or '<f8'), shape (N, 6), C order";
-// A usual one has about a hundred bytes. std::regex recurses for every character: tens of
-// thousands of them are more than a stack holds.
-constexpr std::size_t kLongestHeader = 4096;
 constexpr std::size_t kColumns = 6;  // wi_x, wi_y, wi_z, wo_x, wo_y, wo_z
-
-struct Header {
-  bool is_f64 = false;
-  std::uint64_t rows = 0;
-};
 
 Error npy_error(const std::string& file, const std::string& what, const std::string& value) {
   return {ErrorCode::invalid_argument, file + ": " + what + "; allowed: " + kAllowed, "--pairs",
           value, kAllowed};
 }
 
-// The header's text, a Python dictionary (format versions 1 to 3).
-Result<std::string> read_header_text(ByteSource& source) {
-  std::array<unsigned char, 12> start{};
-  auto got = source.read(start.data(), 8);
-  if (!got) return got.error();
-  const int version = start[6];
-  const std::size_t length_bytes = version == 1 ? 2 : 4;
-  if (*got == 8 && (version < 1 || version > 3)) {
-    return npy_error(source.name(), "is NPY version " + std::to_string(version) + ", not 1 to 3",
-                     std::to_string(version));
-  }
-  got = source.read(&start[8], length_bytes);
-  if (!got) return got.error();
-  std::size_t length = 0;
-  for (std::size_t i = length_bytes; i-- > 0;) length = length << 8 | start[8 + i];
-  if (length > kLongestHeader) {
-    return bad_value(source.name() + ": the length of its NPY header", std::to_string(length),
-                     "at most " + std::to_string(kLongestHeader) + " bytes");
-  }
-  std::string text(length, '\0');
-  got = source.read(text.data(), text.size());
-  if (!got) return got.error();
-  if (*got < text.size() || length == 0) {
-    return npy_error(source.name(), "ends within its header, or is no NPY file", "truncated");
-  }
-  return text;
-}
-
-std::string find(const std::string& text, const char* pattern) {
-  std::smatch match;
-  return std::regex_search(text, match, std::regex(pattern)) ? match[1].str() : std::string();
-}
-
-Result<Header> read_header(ByteSource& source) {
-  auto text = read_header_text(source);
-  if (!text) return text.error();
-  const std::string type = find(*text, R"('descr'\s*:\s*'([^']*)')");
-  const std::string order = find(*text, R"('fortran_order'\s*:\s*(True|False))");
-  const std::string shape = find(*text, R"('shape'\s*:\s*(\([^)]*\)))");
-  const std::string rows = find(shape, R"(^\(\s*(\d+)L?\s*,\s*6L?\s*,?\s*\)$)");
-  if (type != "<f4" && type != "<f8") {
-    return npy_error(source.name(), "holds numbers of type '" + type + "'", type);
-  }
-  if (order != "False") return npy_error(source.name(), "is in Fortran order", "Fortran order");
-  Header header{type == "<f8", 0};
-  const auto [at, error] = std::from_chars(rows.data(), rows.data() + rows.size(), header.rows);
-  if (rows.empty() || error != std::errc{}) {
-    return npy_error(source.name(), "has the shape " + shape, shape);
+Result<NpyHeader> read_header(ByteSource& source) {
+  const auto error = [&](const std::string& what, const std::string& value) {
+    return npy_error(source.name(), what, value);
+  };
+  auto header = read_npy_header(source, error);
+  if (header && header->columns != kColumns) {
+    const std::string shape = header->shape();
+    return error("has the shape " + shape, shape);
   }
   return header;
 }
@@ -82,7 +33,7 @@ Result<Header> read_header(ByteSource& source) {
 template <class T>
 class NpyInput final : public PairInput<T> {
  public:
-  NpyInput(ByteSource source, Header header) : source_(std::move(source)), header_(header) {}
+  NpyInput(ByteSource source, NpyHeader header) : source_(std::move(source)), header_(header) {}
 
   Result<std::size_t> read(std::span<T> wi, std::span<T> wo) override {
     return header_.is_f64 ? read_rows<double>(wi, wo) : read_rows<float>(wi, wo);
@@ -132,7 +83,7 @@ class NpyInput final : public PairInput<T> {
   }
 
   ByteSource source_;
-  Header header_;
+  NpyHeader header_;
   std::uint64_t done_ = 0;
   std::vector<char> buffer_;
 };

@@ -1,0 +1,287 @@
+// Fits over the wire: the library's own result, progress, cancelling, bounds, errors.
+#include <gmock/gmock.h>
+#include <google/protobuf/util/json_util.h>
+#include <google/protobuf/util/message_differencer.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <thread>
+
+#include "client/fit_convert.h"
+#include "client/server_fixture.h"
+#include "engine/evaluate.h"
+#include "fit/fit.h"
+#include "fit/synthetic.h"
+#include "measured/synthetic_merl.h"
+#include "server/fit_messages.h"
+
+namespace gonio::test {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+const MaterialSpec kTruth{
+    {},
+    LobeSpec{"lambertian", {{"rd", std::vector{0.3, 0.1, 0.05}}}},
+    {LobeSpec{"ggx",
+              {{"alpha_x", std::vector{0.2}}, {"alpha_y", std::vector{0.2}}, {"f0", std::vector{0.2}},
+               {"fresnel", "schlick"}}}}};
+
+// Pairs in float32, as they travel.
+struct Measured {
+  explicit Measured(std::size_t count) {
+    const auto pairs = gonio::testing::scattered_pairs(count, 1);
+    const auto data = gonio::testing::data_of(kTruth, pairs, 0.05);
+    for (std::size_t i = 0; i < data.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        wi.push_back(data.wi[k][i]);
+        wo.push_back(data.wo[k][i]);
+        values.push_back(data.channel(static_cast<int>(k))[i]);
+      }
+    }
+    weights = data.weights;
+  }
+  [[nodiscard]] client::FitData data() const { return {wi, wo, values, 3, weights, std::nullopt}; }
+  std::vector<float> wi, wo, values, weights;
+};
+
+client::Material form() {
+  return client::Material::sum(client::Lobe{"lambertian", {}},
+                               {client::Lobe{"ggx", {{"fresnel", "schlick"}}}});
+}
+
+class Fit : public ServerFixture {
+ protected:
+  void start_with(const std::function<void(ServerOptions&)>& change) {
+    ServerOptions options;
+    options.addresses = {"127.0.0.1:0", "unix:" + (folder_ / "socket").string()};
+    change(options);
+    server_.reset();  // the addresses are its own
+    auto server = Server::start(options);
+    ASSERT_TRUE(server.ok()) << server.error().message;
+    server_ = std::move(server).value();
+  }
+};
+
+TEST_F(Fit, IsTheLibrarysOwnOnEveryTransport) {
+  const Measured measured(4000);
+  const auto wide = [](const auto& x) { return std::vector<double>(x.begin(), x.end()); };
+  const auto data = fit::from_pairs(wide(measured.wi), wide(measured.wo), wide(measured.values), 3,
+                                    wide(measured.weights));
+  ASSERT_TRUE(data.ok());
+  const auto own = fit::fit(*data, gonio::testing::form_of(kTruth), {});
+  ASSERT_TRUE(own.ok());
+  auto expected = to_wire(*own);
+  const auto forget_time = [](v1::FitResult& result) {
+    result.mutable_certificate()->clear_cpu_seconds();
+    for (auto& stage : *result.mutable_certificate()->mutable_stages()) stage.clear_cpu_seconds();
+  };
+  forget_time(expected);
+  for (const char* transport : {"tcp", "unix", "in-process"}) {
+    const auto result = connect(transport).fit(measured.data(), form());
+    ASSERT_TRUE(result.ok()) << result.error().message;
+    v1::FitResult answer;
+    ASSERT_TRUE(google::protobuf::util::JsonStringToMessage(result->json, &answer).ok());
+    forget_time(answer);
+    EXPECT_TRUE(google::protobuf::util::MessageDifferencer::Equals(answer, expected)) << transport;
+    const auto& certificate = result->certificate;
+    EXPECT_EQ(name_of(certificate.verdict), fit::name_of(own->certificate.verdict));
+    EXPECT_EQ(certificate.errors.all.l1, own->certificate.errors.all.l1);
+    EXPECT_EQ(certificate.parameters.size(), own->certificate.parameters.size());
+    EXPECT_EQ(certificate.starts.size(), own->certificate.starts.size());
+    EXPECT_EQ(certificate.worst.at(0).wi, own->certificate.worst.at(0).wi);
+    // What comes back is a material like any other.
+    EXPECT_EQ(*connect(transport).channels(result->material), 3);
+  }
+}
+
+TEST_F(Fit, SpeaksAtLeastTwiceASecond) {
+  const Measured measured(100'000);
+  client::FitOptions options;
+  options.polish = true;
+  std::vector<std::string> stages;
+  auto last = Clock::now();
+  auto longest = Clock::duration::zero();
+  client::FitWatch watch;
+  watch.progress = [&](const client::FitProgress& progress) {
+    longest = std::max(longest, Clock::now() - last);
+    last = Clock::now();
+    stages.push_back(progress.stage);
+  };
+  const auto result = connect("tcp").fit(measured.data(), form(), options, watch);
+  ASSERT_TRUE(result.ok()) << result.error().message;
+  longest = std::max(longest, Clock::now() - last);
+  EXPECT_LT(longest, milliseconds(500));
+  EXPECT_THAT(stages, Contains("polish"));
+}
+
+TEST_F(Fit, EndsSoonWhenItIsCancelled) {
+  start_with([](ServerOptions& options) { options.fit_threads = 1; });
+  const Measured measured(200'000);
+  client::FitOptions options;
+  options.polish = true;
+  for (const char* at : {"data", "scan", "starts", "fit", "polish"}) {
+    bool stop = false;
+    client::FitWatch watch;
+    watch.progress = [&](const client::FitProgress& progress) { stop = stop || progress.stage == at; };
+    Clock::time_point said;
+    watch.stop = [&] {
+      if (stop && said == Clock::time_point()) said = Clock::now();
+      return stop;
+    };
+    const auto result = connect("unix").fit(measured.data(), form(), options, watch);
+    if (!stop) continue;  // a stage of less than a moment
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().code, ErrorCode::cancelled) << result.error().message;
+    EXPECT_LT(Clock::now() - said, milliseconds(200)) << at;
+    // The only thread is free again: the next fit of nearly nothing is done at once.
+    const Measured little(50);
+    const auto start = Clock::now();
+    client::FitOptions quick;
+    quick.deadline = milliseconds(5000);
+    EXPECT_TRUE(connect("unix").fit(little.data(), client::Material::model("lambertian"), quick).ok());
+    EXPECT_LT(Clock::now() - start, milliseconds(1000)) << at;
+  }
+}
+
+TEST_F(Fit, KeepsItsDeadlines) {
+  const Measured measured(200'000);
+  client::FitOptions options;
+  options.polish = true;
+  options.deadline = milliseconds(150);
+  auto start = Clock::now();
+  auto result = connect("tcp").fit(measured.data(), form(), options);
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, ErrorCode::deadline_exceeded) << result.error().message;
+  EXPECT_LT(Clock::now() - start, milliseconds(800));
+
+  start_with([](ServerOptions& server) { server.longest_fit = milliseconds(150); });
+  options.deadline.reset();
+  start = Clock::now();
+  result = connect("tcp").fit(measured.data(), form(), options);
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, ErrorCode::deadline_exceeded) << result.error().message;
+  EXPECT_LT(Clock::now() - start, milliseconds(2000));
+}
+
+TEST_F(Fit, IsRefusedWhereTooManyWait) {
+  start_with([](ServerOptions& options) {
+    options.fit_threads = 1;
+    options.max_fits = 2;
+  });
+  const Measured measured(100'000);
+  std::atomic<int> heard{0};
+  std::atomic<bool> stop{false};
+  const auto wait_for_end = [&] {
+    client::FitOptions slow;
+    slow.polish = true;
+    slow.starts = 100;
+    client::FitWatch watch;
+    bool said = false;
+    watch.progress = [&](const auto&) { heard += std::exchange(said, true) ? 0 : 1; };
+    watch.stop = [&] { return stop.load(); };
+    return connect("tcp").fit(measured.data(), form(), slow, watch);
+  };
+  std::thread first(wait_for_end), second(wait_for_end);
+  while (heard < 2) std::this_thread::sleep_for(milliseconds(5));
+  client::ClientOptions impatient;
+  impatient.max_retries = 0;
+  const auto refused = connect("tcp", impatient).fit(measured.data(), form());
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::resource_exhausted);
+  EXPECT_THAT(refused.error().message, HasSubstr("queue of fits is full"));
+  stop = true;
+  first.join();
+  second.join();
+  const Measured little(50);
+  EXPECT_TRUE(connect("tcp").fit(little.data(), client::Material::model("lambertian")).ok());
+}
+
+TEST_F(Fit, LeavesEvaluationAlone) {
+  const Measured measured(20'000);
+  std::atomic<int> done{0};
+  const auto fit_one = [&] {
+    const auto result = connect("unix").fit(measured.data(), form());
+    EXPECT_TRUE(result.ok()) << result.error().message;
+    ++done;
+  };
+  std::thread first(fit_one), second(fit_one);
+  const auto client = connect("unix");
+  std::vector<float> values(3 * 20'000);
+  int evaluations = 0;
+  while (done < 2) {
+    ASSERT_TRUE(client.evaluate(ggx(), measured.wi, measured.wo, values).ok());
+    ++evaluations;
+  }
+  first.join();
+  second.join();
+  EXPECT_GT(evaluations, 0);
+}
+
+TEST_F(Fit, NamesWhatIsWrong) {
+  const Measured measured(50);
+  const auto client = connect("tcp");
+  const auto error_of = [&](const client::FitData& data, const client::Material& what,
+                            const client::FitOptions& options = {}) {
+    const auto result = client.fit(data, what, options);
+    return result ? Error{} : result.error();
+  };
+  const auto ggx_with = [](const client::Parameters& parameters) {
+    return client::Material::sum(std::nullopt, {client::Lobe{"ggx", parameters}});
+  };
+  EXPECT_EQ(error_of(measured.data(), ggx_with({{"alpha_x", 7.0}})).field,
+            "form.specular[0].parameters.alpha_x");
+  EXPECT_EQ(error_of(measured.data(), client::Material::named("gold")).field, "form");
+  EXPECT_EQ(error_of(measured.data(), client::Material::model("nothing")).field, "form.model");
+  client::FitOptions options;
+  options.max_theta = 2;
+  EXPECT_EQ(error_of(measured.data(), form(), options).field, "options.max_theta");
+  client::FitData data = measured.data();
+  data.channels = 2;
+  EXPECT_EQ(error_of(data, form()).field, "pairs.values");
+  data.channels = 65;
+  EXPECT_EQ(error_of(data, form()).field, "pairs.channels");
+  EXPECT_EQ(error_of(measured.data(), ggx_with({{"f0", std::vector<double>(100'000, 0.5)}})).field,
+            "material");  // refused before it is parsed
+  data = {};
+  data.measured = client::Material::named("nickel");
+  EXPECT_EQ(error_of(data, form()).field, "measured.name");
+  EXPECT_EQ(error_of(data, form()).code, ErrorCode::not_found);
+  data.measured = ggx();
+  EXPECT_EQ(error_of(data, form()).field, "measured");
+}
+
+// The server holds the file; only its name travels.
+TEST_F(Fit, TakesAMeasuredMaterialOfTheServers) {
+  const auto grey = [](double theta_h, double, double) {
+    const double f = theta_h < 1 ? 0.1 : -1;
+    return gonio::testing::Rgb{f, f / 2, f / 4};
+  };
+  ASSERT_TRUE(gonio::testing::write_merl(folder_ / "grey.binary", grey));
+  start_with([&](ServerOptions& options) { options.materials = folder_ / ""; });
+  client::FitData data;
+  data.measured = client::Material::named("grey");
+  const auto result = connect("tcp").fit(data, client::Material::model("lambertian"));
+  ASSERT_TRUE(result.ok()) << result.error().message;
+  EXPECT_EQ(result->certificate.verdict, client::Verdict::converged) << result->certificate.reason;
+  EXPECT_GT(result->certificate.left_out.negative, 0U);
+  EXPECT_NEAR(result->certificate.parameters.at(0).value, 0.1 * std::numbers::pi, 1e-3);
+  EXPECT_LT(result->certificate.errors.all.l1, 1e-3);
+}
+
+TEST_F(Fit, OfNothingFailsWithTheReason) {
+  const std::vector<float> up{0, 0, 1}, value{std::nanf("")};
+  const auto result = connect("tcp").fit({up, up, value, 1, {}, {}}, form());
+  ASSERT_TRUE(result.ok()) << result.error().message;
+  EXPECT_EQ(result->certificate.verdict, client::Verdict::failed);
+  EXPECT_EQ(result->certificate.left_out.not_finite, 1U);
+  EXPECT_FALSE(result->certificate.reason.empty());
+}
+
+}  // namespace
+}  // namespace gonio::test
