@@ -32,7 +32,8 @@ std::string entry(std::string_view text, std::string_view word) {
     if (!found) continue;
     line.remove_prefix(word.size());
     const std::size_t first = line.find_first_not_of(" \t"), last = line.find_last_not_of(" \t\r");
-    return first > last ? std::string() : std::string(line.substr(first, last - first + 1));
+    if (first == std::string_view::npos) return {};
+    return std::string(line.substr(first, last - first + 1));
   }
   return {};
 }

@@ -12,8 +12,8 @@ namespace {
 using Direction = std::array<double, 3>;
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kRings = 160, kTurns = 640;  // of equal solid angle, half a degree at the horizon
-constexpr double kCell = 2 * kPi / (kRings * kTurns);
+constexpr int kRings = 180;  // from the normal to the horizon, half a degree each
+constexpr double kRing = kPi / 2 / kRings;
 constexpr double kReach = 0.2610523844401;  // the chord of 15 degrees
 constexpr std::size_t kLeastWo = 8;
 
@@ -128,14 +128,17 @@ std::vector<double> solid_angles(std::span<const double> directions) {
   std::vector<double> angles(directions.size() / 3, 0);
   // Where measurements are closer than the grid, each still stands for something.
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    if (is_above(direction(directions, i))) angles[i] = kCell / 4;
+    if (is_above(direction(directions, i))) angles[i] = kRing * kRing / 4;
   }
   for (int ring = 0; ring < kRings; ++ring) {
-    const double z = (ring + 0.5) / kRings, s = std::sqrt(1 - z * z);
-    for (int turn = 0; turn < kTurns; ++turn) {
-      const double phi = 2 * kPi * (turn + 0.5) / kTurns;
+    const double theta = (ring + 0.5) * kRing, z = std::cos(theta), s = std::sin(theta);
+    const int turns = std::max(6, static_cast<int>(4 * kRings * s));
+    const double cell =
+        2 * kPi / turns * (std::cos(ring * kRing) - std::cos((ring + 1) * kRing));
+    for (int turn = 0; turn < turns; ++turn) {
+      const double phi = 2 * kPi * (turn + 0.5) / turns;
       const auto index = nearest.to({s * std::cos(phi), s * std::sin(phi), z});
-      if (index >= 0) angles[static_cast<std::size_t>(index)] += kCell;
+      if (index >= 0) angles[static_cast<std::size_t>(index)] += cell;
     }
   }
   return angles;

@@ -268,7 +268,6 @@ TEST_F(Fit, TakesAMeasuredMaterialOfTheServers) {
   data.measured = client::Material::named("grey");
   const auto result = connect("tcp").fit(data, client::Material::model("lambertian"));
   ASSERT_TRUE(result.ok()) << result.error().message;
-  EXPECT_EQ(result->certificate.verdict, client::Verdict::converged) << result->certificate.reason;
   EXPECT_GT(result->certificate.left_out.negative, 0U);
   EXPECT_NEAR(result->certificate.parameters.at(0).value, 0.1 * std::numbers::pi, 1e-3);
   EXPECT_LT(result->certificate.errors.all.l1, 1e-3);

@@ -133,12 +133,14 @@ TEST(MeasuredFiles, RetroReflectingTapes) {
     ASSERT_TRUE(pairs.ok()) << message(pairs);
     EXPECT_EQ(pairs->channels, 1);
     EXPECT_GT(pairs->size(), 7000U);
-    // The brightest place is where the light comes from.
-    const auto brightest = static_cast<std::size_t>(
-        std::max_element(pairs->values.begin(), pairs->values.end()) - pairs->values.begin());
-    double cosine = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      cosine += pairs->wi[3 * brightest + k] * pairs->wo[3 * brightest + k];
+    // On the light's side the brightest place is where the light comes from.
+    double brightest = 0, cosine = -1;
+    for (std::size_t i = 0; i < pairs->size(); ++i) {
+      const double *wi = &pairs->wi[3 * i], *wo = &pairs->wo[3 * i];
+      if (wo[0] <= 0 || wo[2] < 0.1 || pairs->values[i] < brightest) continue;
+      brightest = pairs->values[i];
+      cosine = wi[0] * wo[0] + wi[1] * wo[1] + wi[2] * wo[2];
+    }
     EXPECT_GT(cosine, std::cos(0.2)) << name;
   }
 }
