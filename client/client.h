@@ -157,8 +157,8 @@ class Client {
   // reflectance: see client/fit.h. The data travel as one message: up to some 1.5 million pairs of
   // three channels with goniod's default limit. The same data, options and processor give the same
   // result, so that a fit that a failing connection lost is begun again. Errors: `cancelled` if
-  // `watch` stops it (within 0.2 s, on the server too), deadline_exceeded, and what the server says.
-  // Data that say nothing are no error: the verdict is then `failed`, with the reason.
+  // `watch` stops it (within 0.2 s, on the server too), deadline_exceeded, and what the server
+  // says. Data that say nothing are no error: the verdict is then `failed`, with the reason.
   Result<FitResult> fit(const FitData& data, const Material& form, const FitOptions& options = {},
                         const FitWatch& watch = {}) const;
 

@@ -68,8 +68,8 @@ class FitAttempt {
       if (!*event || **event == finished) break;
     }
     if (!call_->status.ok()) return failure_of(call_->status, call_->context, peer_);
-    return {Error{ErrorCode::internal, peer_ + " ended the fit without a result", {}, {}, {}}, false,
-            std::nullopt};
+    return {Error{ErrorCode::internal, peer_ + " ended the fit without a result", {}, {}, {}},
+            false, std::nullopt};
   }
 
  private:
@@ -85,7 +85,8 @@ class FitAttempt {
             .ok();
     if (!readable) return;
     if (response.has_result()) result = std::move(*response.mutable_result());
-    if (response.has_progress() && watch_.progress) watch_.progress(progress_of(response.progress()));
+    if (response.has_progress() && watch_.progress)
+      watch_.progress(progress_of(response.progress()));
   }
 
   // What has happened next; none at the end of the call, an error if the caller wants it to end.
@@ -105,7 +106,8 @@ class FitAttempt {
   }
 
   Error hangs() const {
-    return {ErrorCode::deadline_exceeded, peer_ + " did not answer within the deadline", {}, {}, {}};
+    return {
+        ErrorCode::deadline_exceeded, peer_ + " did not answer within the deadline", {}, {}, {}};
   }
 
   std::string peer_;

@@ -5,8 +5,8 @@
 //   auto result = client.fit(data, form);
 //   if (result) std::puts(result->material.to_json().c_str());
 //
-// Directions as for evaluation; values in 1/sr, without a cosine, all channels of the first pair, then
-// of the second. Entries that are not finite, not unit, below the horizon, negative or without
+// Directions as for evaluation; values in 1/sr, without a cosine, all channels of the first pair,
+// then of the second. Entries that are not finite, not unit, below the horizon, negative or without
 // weight are left out and counted. Thread safety: plain values.
 #pragma once
 
@@ -25,16 +25,17 @@ namespace gonio::client {
 
 // Either pairs, or a measured material of the server's.
 struct FitData {
-  std::span<const float> wi, wo;   // xyz of each pair
-  std::span<const float> values;   // pairs x channels
-  int channels = 0;                // 1 to 64
+  std::span<const float> wi, wo;  // xyz of each pair
+  std::span<const float> values;  // pairs x channels
+  int channels = 0;               // 1 to 64
   // The measure, in sr^2, of the pairs of directions that each stands for; all over the hemisphere
   // together measure 4 pi^2. Empty: each weighs the same.
   std::span<const float> weights;
   std::optional<Material> measured;  // in place of all of the above
 };
 
-// With cos the cosine of incidence and m what was measured, what is minimised is the weighted sum of:
+// With cos the cosine of incidence and m what was measured, what is minimised is the weighted sum
+// of:
 enum class Objective : std::uint8_t {
   l1,     // |f - m| cos
   l2,     // its square
@@ -46,7 +47,8 @@ std::string_view name_of(Objective objective);  // "l1", "l2", "huber", "log", "
 std::optional<Objective> objective_of(std::string_view name);
 
 enum class FitStrategy : std::uint8_t {
-  automatic,  // a scan of the shapes, descents from its most distinct places, the best on more pairs
+  automatic,  // a scan of the shapes, descents from its most distinct places, the best on more
+              // pairs
   staged,     // Nielsen et al. 2014: colours; then shapes; then lobes; from one guess
 };
 
@@ -58,10 +60,10 @@ struct FitOptions {
   double huber = 0.1;        // Huber's threshold, as a part of the mean of m cos
   double min_theta = 0;      // radians; pairs whose larger angle is in (min, max] are fitted
   double max_theta = 1.5707963267948966;
-  unsigned starts = 6;       // places that are descended from
+  unsigned starts = 6;                              // places that are descended from
   unsigned fit_pairs = 20'000, scan_pairs = 2'000;  // of the stratified subsets
-  bool polish = false;       // a last descent on all pairs
-  std::uint64_t seed = 1;    // of the subsets, 1 or more
+  bool polish = false;                              // a last descent on all pairs
+  std::uint64_t seed = 1;                           // of the subsets, 1 or more
   // In place of ClientOptions::deadline.
   std::optional<std::chrono::milliseconds> deadline;
 };

@@ -18,7 +18,8 @@ constexpr std::chrono::milliseconds kInterval{200};  // of progress
 
 // The core knows the fields of the form, not what a request calls it.
 Error within_request(Error error) {
-  const bool of_form = error.code == ErrorCode::invalid_argument || error.code == ErrorCode::not_found;
+  const bool of_form =
+      error.code == ErrorCode::invalid_argument || error.code == ErrorCode::not_found;
   if (!of_form || error.field.rfind("options.", 0) == 0) return error;
   if (error.field == "material") error.field.clear();
   const std::string field = error.field.empty() ? "form" : "form." + error.field;
@@ -68,7 +69,8 @@ Outcome FitCall::enqueue(const grpc::ByteBuffer& buffer) {
   const char* full = charge_ ? "queue of fits is full" : "memory is full";
   if (charge_) {
     auto self = shared_from_this();
-    if (backend_.fits.queue.submit({[self] { self->run(); }, [self] { return self->state_.is_over(); }}))
+    if (backend_.fits.queue.submit(
+            {[self] { self->run(); }, [self] { return self->state_.is_over(); }}))
       return Ok{};
   }
   context_.AddTrailingMetadata(wire::kRetryPushback, kFitPushbackMilliseconds);
@@ -76,17 +78,20 @@ Outcome FitCall::enqueue(const grpc::ByteBuffer& buffer) {
                std::string("the server's ") + full + ": it takes " +
                    std::to_string(backend_.fits.queue.max_jobs()) +
                    " fits at a time; send this one again after " + kFitPushbackMilliseconds + " ms",
-               {}, {}, {}};
+               {},
+               {},
+               {}};
 }
 
 Error FitCall::over() const {
-  if (!state_.past_deadline())
-    return {ErrorCode::cancelled, "the fit was cancelled", {}, {}, {}};
+  if (!state_.past_deadline()) return {ErrorCode::cancelled, "the fit was cancelled", {}, {}, {}};
   const auto longest = std::chrono::duration_cast<std::chrono::seconds>(backend_.fits.longest);
   return {ErrorCode::deadline_exceeded,
           "the fit was not done within its deadline; this server gives a fit at most " +
               std::to_string(longest.count()) + " s",
-          {}, {}, {}};
+          {},
+          {},
+          {}};
 }
 
 Result<fit::FitResult> FitCall::fit() {

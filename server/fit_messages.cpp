@@ -2,65 +2,37 @@
 
 #include <string>
 
+#include "server/material_message.h"
+
 namespace gonio {
 namespace {
 
-google::protobuf::Value value_of(const ParameterValue& parameter) {
-  google::protobuf::Value value;
-  if (const auto* word = std::get_if<std::string>(&parameter)) {
-    value.set_string_value(*word);
-    return value;
-  }
-  const auto& numbers = std::get<std::vector<double>>(parameter);
-  if (numbers.size() == 1) {
-    value.set_number_value(numbers[0]);
-    return value;
-  }
-  auto* list = value.mutable_list_value();
-  for (const double x : numbers) list->add_values()->set_number_value(x);
-  return value;
-}
-
-google::protobuf::Struct parameters_of(const LobeSpec& lobe) {
-  google::protobuf::Struct parameters;
-  for (const auto& [name, value] : lobe.parameters)
-    (*parameters.mutable_fields())[name] = value_of(value);
-  return parameters;
-}
-
-void fill(const LobeSpec& from, v1::Lobe& to) {
-  to.set_model(from.model);
-  *to.mutable_parameters() = parameters_of(from);
-}
-
-v1::Material material_of(const MaterialSpec& spec) {
-  v1::Material material;
-  if (spec.model) {
-    material.set_model(spec.model->model);
-    *material.mutable_parameters() = parameters_of(*spec.model);
-  }
-  if (spec.diffuse) fill(*spec.diffuse, *material.mutable_diffuse());
-  for (const LobeSpec& lobe : spec.specular) fill(lobe, *material.add_specular());
-  return material;
-}
-
 v1::FitVerdict verdict_of(fit::Verdict verdict) {
   switch (verdict) {
-    case fit::Verdict::converged: return v1::FIT_VERDICT_CONVERGED;
-    case fit::Verdict::bound_limited: return v1::FIT_VERDICT_BOUND_LIMITED;
-    case fit::Verdict::ambiguous: return v1::FIT_VERDICT_AMBIGUOUS;
-    case fit::Verdict::failed: return v1::FIT_VERDICT_FAILED;
+    case fit::Verdict::converged:
+      return v1::FIT_VERDICT_CONVERGED;
+    case fit::Verdict::bound_limited:
+      return v1::FIT_VERDICT_BOUND_LIMITED;
+    case fit::Verdict::ambiguous:
+      return v1::FIT_VERDICT_AMBIGUOUS;
+    case fit::Verdict::failed:
+      return v1::FIT_VERDICT_FAILED;
   }
   return v1::FIT_VERDICT_UNSPECIFIED;
 }
 
 v1::FitObjective objective_of(fit::Objective objective) {
   switch (objective) {
-    case fit::Objective::l1: return v1::FIT_OBJECTIVE_L1;
-    case fit::Objective::l2: return v1::FIT_OBJECTIVE_L2;
-    case fit::Objective::huber: return v1::FIT_OBJECTIVE_HUBER;
-    case fit::Objective::log: return v1::FIT_OBJECTIVE_LOG;
-    case fit::Objective::cbrt: return v1::FIT_OBJECTIVE_CBRT;
+    case fit::Objective::l1:
+      return v1::FIT_OBJECTIVE_L1;
+    case fit::Objective::l2:
+      return v1::FIT_OBJECTIVE_L2;
+    case fit::Objective::huber:
+      return v1::FIT_OBJECTIVE_HUBER;
+    case fit::Objective::log:
+      return v1::FIT_OBJECTIVE_LOG;
+    case fit::Objective::cbrt:
+      return v1::FIT_OBJECTIVE_CBRT;
   }
   return v1::FIT_OBJECTIVE_UNSPECIFIED;
 }
@@ -184,7 +156,7 @@ v1::FitProgress to_wire(const fit::Progress& progress) {
 
 v1::FitResult to_wire(const fit::FitResult& result) {
   v1::FitResult to;
-  *to.mutable_material() = material_of(result.material);
+  *to.mutable_material() = to_wire(result.material);
   fill(result.certificate, *to.mutable_certificate());
   return to;
 }

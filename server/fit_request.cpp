@@ -17,11 +17,16 @@ namespace {
 Result<fit::Objective> objective_of(v1::FitObjective objective) {
   switch (objective) {
     case v1::FIT_OBJECTIVE_UNSPECIFIED:
-    case v1::FIT_OBJECTIVE_L1: return fit::Objective::l1;
-    case v1::FIT_OBJECTIVE_L2: return fit::Objective::l2;
-    case v1::FIT_OBJECTIVE_HUBER: return fit::Objective::huber;
-    case v1::FIT_OBJECTIVE_LOG: return fit::Objective::log;
-    case v1::FIT_OBJECTIVE_CBRT: return fit::Objective::cbrt;
+    case v1::FIT_OBJECTIVE_L1:
+      return fit::Objective::l1;
+    case v1::FIT_OBJECTIVE_L2:
+      return fit::Objective::l2;
+    case v1::FIT_OBJECTIVE_HUBER:
+      return fit::Objective::huber;
+    case v1::FIT_OBJECTIVE_LOG:
+      return fit::Objective::log;
+    case v1::FIT_OBJECTIVE_CBRT:
+      return fit::Objective::cbrt;
     default:
       return bad_value("options.objective", std::to_string(static_cast<int>(objective)),
                        "FIT_OBJECTIVE_L1 (1) to FIT_OBJECTIVE_CBRT (5)");
@@ -31,8 +36,10 @@ Result<fit::Objective> objective_of(v1::FitObjective objective) {
 Result<fit::Strategy> strategy_of(v1::FitStrategy strategy) {
   switch (strategy) {
     case v1::FIT_STRATEGY_UNSPECIFIED:
-    case v1::FIT_STRATEGY_AUTOMATIC: return fit::Strategy::automatic;
-    case v1::FIT_STRATEGY_STAGED: return fit::Strategy::staged;
+    case v1::FIT_STRATEGY_AUTOMATIC:
+      return fit::Strategy::automatic;
+    case v1::FIT_STRATEGY_STAGED:
+      return fit::Strategy::staged;
     default:
       return bad_value("options.strategy", std::to_string(static_cast<int>(strategy)),
                        "FIT_STRATEGY_AUTOMATIC (1) or FIT_STRATEGY_STAGED (2)");
@@ -143,8 +150,8 @@ Result<FitTask> fit_task(const v1::FitRequest& request, const Materials& materia
     return bad_value("pairs.channels", std::to_string(channels),
                      "1 to " + std::to_string(kMaxChannels));
   }
-  task.bytes = bytes_of(static_cast<std::size_t>(request.pairs().wi_size()) / 3, channels,
-                        options->polish);
+  task.bytes =
+      bytes_of(static_cast<std::size_t>(request.pairs().wi_size()) / 3, channels, options->polish);
   return task;
 }
 

@@ -35,7 +35,7 @@ grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* Service::EvaluateSt
 }
 
 grpc::ServerWriteReactor<grpc::ByteBuffer>* Service::Fit(grpc::CallbackServerContext* context,
-                                                        const grpc::ByteBuffer* request) {
+                                                         const grpc::ByteBuffer* request) {
   return FitCall::start(backend_, *context, *request);
 }
 

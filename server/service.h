@@ -10,10 +10,9 @@
 namespace gonio {
 
 using WireService = v1::GonioService;
-using RawService =
-    WireService::WithCallbackMethod_ListModels<WireService::WithRawCallbackMethod_Evaluate<
-        WireService::WithRawCallbackMethod_EvaluateStream<
-            WireService::WithRawCallbackMethod_Fit<WireService::Service>>>>;
+using RawService = WireService::WithCallbackMethod_ListModels<
+    WireService::WithRawCallbackMethod_Evaluate<WireService::WithRawCallbackMethod_EvaluateStream<
+        WireService::WithRawCallbackMethod_Fit<WireService::Service>>>>;
 
 class Service final : public RawService {
  public:
@@ -28,7 +27,7 @@ class Service final : public RawService {
   grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* EvaluateStream(
       grpc::CallbackServerContext* context) override;
   grpc::ServerWriteReactor<grpc::ByteBuffer>* Fit(grpc::CallbackServerContext* context,
-                                                 const grpc::ByteBuffer* request) override;
+                                                  const grpc::ByteBuffer* request) override;
 
  private:
   Backend backend_;

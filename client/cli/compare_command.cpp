@@ -48,7 +48,9 @@ Result<fit::Data> read_reference(const CompareArguments& arguments, const Materi
     if (!material) return material.error();
     return fit::from_table(*material->impl().table);
   }
-  const auto wide = [](const std::vector<float>& x) { return std::vector<double>(x.begin(), x.end()); };
+  const auto wide = [](const std::vector<float>& x) {
+    return std::vector<double>(x.begin(), x.end());
+  };
   return fit::from_pairs(wide(input->wi), wide(input->wo), wide(input->values), input->channels,
                          wide(input->weights));
 }

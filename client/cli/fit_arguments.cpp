@@ -20,7 +20,8 @@ Data, by the file's extension:
                   f_0,f_1,... in 1/sr without a cosine, such as 'gonio evaluate --with-input' writes;
                   a column `weight` says how many sr^2 of pairs of directions a row stands for
 Without weights, measurements of a goniometer (8 and more wo for each wi) are weighed by the directions
-that are nearest to each, others all the same. Entries that are not finite, not unit, below the horizon or negative are left out and counted.
+that are nearest to each, others all the same. Entries that are not finite, not unit, below the
+horizon or negative are left out and counted.
 
 A specular model is fitted as a lobe over a lambertian base, with the exact Fresnel term of a
 dielectric if it takes one; NAME:none, NAME:schlick, NAME:dielectric and NAME:conductor choose. With
@@ -47,7 +48,8 @@ void add_what(CLI::App& command, FitArguments& arguments) {
       ->type_name("NAME,...")
       ->delimiter(',')
       ->required();
-  command.add_option("--lobes", arguments.lobes, "Specular lobes of the model: 1 (the default) or 2")
+  command
+      .add_option("--lobes", arguments.lobes, "Specular lobes of the model: 1 (the default) or 2")
       ->type_name("N")
       ->check(CLI::Range(1, 2).description(""));
   command.add_flag("--anisotropic", arguments.anisotropic,
@@ -75,7 +77,8 @@ void add_how(CLI::App& command, FitArguments& arguments) {
       .add_option("--min-theta", arguments.min_theta, "Fit pairs one of whose angles is above this")
       ->type_name("DEG")
       ->check(CLI::Range(0.0, 90.0).description(""));
-  command.add_option("--starts", arguments.starts, "Places to descend from, 1 to 100; 6 if not given")
+  command
+      .add_option("--starts", arguments.starts, "Places to descend from, 1 to 100; 6 if not given")
       ->type_name("N")
       ->check(CLI::Range(1, 100).description(""));
   command.add_option("--seed", arguments.seed, "Of the choice of pairs, 1 or more; 1 if not given")
@@ -117,7 +120,8 @@ Result<FitForm> form_of(const client::ModelInfo& model, const std::string& wante
     lobe.parameters["fresnel"] = word;
   }
   const std::string name = wanted.empty() ? model.name : model.name + ":" + wanted;
-  if (model.role == client::Role::diffuse) return FitForm{name, client::Material::model(model.name)};
+  if (model.role == client::Role::diffuse)
+    return FitForm{name, client::Material::model(model.name)};
   return FitForm{name, client::Material::sum(client::Lobe{"lambertian", {}},
                                              std::vector(static_cast<std::size_t>(lobes), lobe))};
 }
@@ -132,9 +136,11 @@ void add_fit_options(CLI::App& command, FitArguments& arguments) {
   command.footer(kFooter);
   add_what(command, arguments);
   add_how(command, arguments);
-  command.add_option("-o,--output", arguments.output, "Where the material's JSON goes; - is stdout")
+  command
+      .add_option("-o,--output", arguments.output, "Where the material's JSON goes; - is stdout")
       ->type_name("OUT");
-  command.add_option("--report", arguments.report, "Where all that is known of the fits goes, as JSON")
+  command
+      .add_option("--report", arguments.report, "Where all that is known of the fits goes, as JSON")
       ->type_name("OUT");
   add_connection_options(command, arguments.connection);
   command.add_flag("--quiet,-q", arguments.quiet, "No progress bar and no table");
@@ -168,8 +174,9 @@ Result<std::vector<FitForm>> fit_forms(const FitArguments& arguments,
   }
   for (const std::string& argument : wanted) {
     const auto [name, fresnel] = take_apart(argument);
-    const auto model = std::find_if(catalogue.models.begin(), catalogue.models.end(),
-                                    [&](const auto& m) { return m.name == name && can_be_fitted(m); });
+    const auto model =
+        std::find_if(catalogue.models.begin(), catalogue.models.end(),
+                     [&](const auto& m) { return m.name == name && can_be_fitted(m); });
     if (model == catalogue.models.end())
       return bad_value("--model", "\"" + name + "\"", "all, " + joined(names, ", "));
     auto form = form_of(*model, fresnel, arguments.lobes);

@@ -55,8 +55,8 @@ const NamedFit* best_of(const std::vector<NamedFit>& fits) {
   for (const NamedFit& fit : fits) {
     const client::FitCertificate& certificate = fit.result.certificate;
     if (certificate.verdict == client::Verdict::failed || certificate.stages.empty()) continue;
-    if (best == nullptr || certificate.stages.back().objective <
-                               best->result.certificate.stages.back().objective) {
+    if (best == nullptr ||
+        certificate.stages.back().objective < best->result.certificate.stages.back().objective) {
       best = &fit;
     }
   }
@@ -68,8 +68,8 @@ std::string report_of(const std::vector<NamedFit>& fits, const FitArguments& arg
   const char* separator = "\n";
   for (const NamedFit& fit : fits) {
     text += separator + ("{\"model\": " + json_string(fit.name)) + ", \"verdict\": \"" +
-            std::string(name_of(fit.result.certificate.verdict)) + "\", \"result\": " +
-            fit.result.json + "}";
+            std::string(name_of(fit.result.certificate.verdict)) +
+            "\", \"result\": " + fit.result.json + "}";
     separator = ",\n";
   }
   return text + "]}\n";

@@ -20,7 +20,7 @@ std::string number(double x, const char* format = "%.3g") {
   return text;
 }
 
-std::string cell(const client::FitErrors& errors, double client::FitErrors::* measure) {
+std::string cell(const client::FitErrors& errors, double client::FitErrors::*measure) {
   return padded(errors.pairs == 0 ? "-" : number(errors.*measure), kCell);
 }
 
@@ -84,7 +84,8 @@ std::string error_head(std::size_t width) {
 std::string error_cells(const client::FitErrorsByZone& errors) {
   std::string text;
   for (const auto measure : kMeasures) {
-    text += cell(errors.all, measure) + cell(errors.below_80, measure) + cell(errors.above_80, measure);
+    text +=
+        cell(errors.all, measure) + cell(errors.below_80, measure) + cell(errors.above_80, measure);
   }
   return text;
 }

@@ -8,7 +8,8 @@
 
 namespace gonio::cli {
 
-// The head of the columns that error_cells() fills, in two lines that begin after `width` characters.
+// The head of the columns that error_cells() fills, in two lines that begin after `width`
+// characters.
 std::string error_head(std::size_t width);
 // Each measure for all pairs, up to 80 degrees and above; "-" where there are no pairs.
 std::string error_cells(const client::FitErrorsByZone& errors);

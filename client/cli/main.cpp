@@ -44,8 +44,8 @@ int main(int argc, char** argv) try {
   app.require_subcommand(1);
   app.get_formatter()->column_width(30);
   const auto commands = {gonio::cli::add_models_command(app), gonio::cli::add_evaluate_command(app),
-                         gonio::cli::add_lobe_command(app), gonio::cli::add_render_command(app),
-                         gonio::cli::add_fit_command(app), gonio::cli::add_compare_command(app)};
+                         gonio::cli::add_lobe_command(app),   gonio::cli::add_render_command(app),
+                         gonio::cli::add_fit_command(app),    gonio::cli::add_compare_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help, --version

@@ -17,7 +17,8 @@ constexpr std::array<std::string_view, 6> kDirections = {"wi_x", "wi_y", "wi_z",
                                                          "wo_x", "wo_y", "wo_z"};
 constexpr std::array<std::string_view, 4> kAngles = {"theta_i", "phi_i", "theta_o", "phi_o"};
 constexpr const char* kHeaders =
-    "a header with the columns wi_x,wi_y,wi_z,wo_x,wo_y,wo_z or theta_i,phi_i,theta_o,phi_o, and f_0 "
+    "a header with the columns wi_x,wi_y,wi_z,wo_x,wo_y,wo_z or theta_i,phi_i,theta_o,phi_o, and "
+    "f_0 "
     "to f_63 as far as there are channels";
 constexpr std::size_t kMostChannels = 64;
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -40,7 +41,8 @@ std::size_t column_of(const std::vector<std::string>& names, std::string_view na
 template <std::size_t N>
 bool find_all(const std::array<std::string_view, N>& wanted, Columns& columns) {
   columns.place.clear();
-  for (const std::string_view name : wanted) columns.place.push_back(column_of(columns.names, name));
+  for (const std::string_view name : wanted)
+    columns.place.push_back(column_of(columns.names, name));
   return std::find(columns.place.begin(), columns.place.end(), kNone) == columns.place.end();
 }
 

@@ -20,7 +20,9 @@ std::vector<float> narrow(const std::vector<double>& numbers) {
   return to;
 }
 
-std::vector<double> wide(const std::vector<float>& numbers) { return {numbers.begin(), numbers.end()}; }
+std::vector<double> wide(const std::vector<float>& numbers) {
+  return {numbers.begin(), numbers.end()};
+}
 
 // Without weights of its own, a goniometer's data get those of the directions that they stand for.
 Result<MeasuredInput> weighed(Result<MeasuredInput> input) {
@@ -56,7 +58,8 @@ Result<MeasuredInput> from_merl(const std::string& file) {
       input.wi.push_back(data.wi[k][i]);
       input.wo.push_back(data.wo[k][i]);
     }
-    for (std::size_t c = 0; c < channels; ++c) input.values.push_back(data.values[c * data.size() + i]);
+    for (std::size_t c = 0; c < channels; ++c)
+      input.values.push_back(data.values[c * data.size() + i]);
   }
   return input;
 }

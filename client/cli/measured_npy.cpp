@@ -11,7 +11,8 @@ namespace gonio::cli {
 namespace {
 
 constexpr const char* kAllowed =
-    "an array of float32 or float64 ('<f4' or '<f8'), C order, shape (N, 7) to (N, 70): wi_x, wi_y, "
+    "an array of float32 or float64 ('<f4' or '<f8'), C order, shape (N, 7) to (N, 70): wi_x, "
+    "wi_y, "
     "wi_z, wo_x, wo_y, wo_z and 1 to 64 values";
 constexpr std::uint64_t kPlace = 6, kMostColumns = kPlace + 64;
 constexpr std::uint64_t kBlock = 4096;  // rows
@@ -38,9 +39,9 @@ Outcome read_rows(ByteSource& source, const NpyHeader& header, const NpyError& e
     if (!got) return got.error();
     if (*got < block.size() * sizeof(Stored)) {
       const std::string whole = std::to_string(done + *got / (header.columns * sizeof(Stored)));
-      return error("ends after " + whole + " of the " + std::to_string(header.rows) +
-                       " rows of its header",
-                   whole);
+      return error(
+          "ends after " + whole + " of the " + std::to_string(header.rows) + " rows of its header",
+          whole);
     }
     for (std::uint64_t row = 0; row < rows; ++row)
       push_row(&block[row * header.columns], header.columns, input);

@@ -1,5 +1,5 @@
-// The header of an NPY file (format versions 1 to 3): a table of float32 or float64 in C order. Thread
-// safety: functions without state.
+// The header of an NPY file (format versions 1 to 3): a table of float32 or float64 in C order.
+// Thread safety: functions without state.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@ struct NpyHeader {
   }
 };
 
-// What an error says beside `problem` ("holds numbers of type '<i4'") and `value` is the caller's: what
-// would have been allowed.
+// What an error says beside `problem` ("holds numbers of type '<i4'") and `value` is the caller's:
+// what would have been allowed.
 using NpyError = std::function<Error(const std::string& problem, const std::string& value)>;
 
 // Takes the header off `source`; the rows follow.

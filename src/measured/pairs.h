@@ -1,8 +1,9 @@
 // Measured reflectance as gonioreflectometers give it: scattered pairs of directions in text files.
 //
-// Directions in the local frame of engine/evaluate.h, unit; values in 1/sr, without a cosine. What a
-// file holds is not judged here: values below 0 and directions below the horizon are passed on. Errors
-// name file, line, what was found and what was expected. Thread safety: functions without state.
+// Directions in the local frame of engine/evaluate.h, unit; values in 1/sr, without a cosine. What
+// a file holds is not judged here: values below 0 and directions below the horizon are passed on.
+// Errors name file, line, what was found and what was expected. Thread safety: functions without
+// state.
 #pragma once
 
 #include <filesystem>
@@ -22,9 +23,9 @@ struct MeasuredPairs {
   [[nodiscard]] std::size_t size() const { return wi.size() / 3; }
 };
 
-// Cornell's text (as published with pbrt-v2): comments from '#' to the end of the line; the number of
-// wavelengths, 1 to 64; the wavelengths in nm; then rows of theta_i phi_i theta_s phi_s in radians
-// and a value for each wavelength.
+// Cornell's text (as published with pbrt-v2): comments from '#' to the end of the line; the number
+// of wavelengths, 1 to 64; the wavelengths in nm; then rows of theta_i phi_i theta_s phi_s in
+// radians and a value for each wavelength.
 Result<MeasuredPairs> read_cornell(const std::filesystem::path& file);
 
 // ALTA's text with `#PARAM_IN ISOTROPIC_TL_TV_PROJ_DPHI` and `#DIM 3 N`: rows of theta_i,

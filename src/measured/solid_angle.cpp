@@ -82,8 +82,8 @@ std::vector<Group> groups_of(std::span<const double> wi) {
   for (std::size_t i = 0; i < wi.size() / 3; ++i) {
     const Direction w = direction(wi, i);
     if (!is_above(w) || w[0] * w[0] + w[1] * w[1] + w[2] * w[2] > 2) continue;
-    Group& group = groups[{std::lround(w[0] * kSame), std::lround(w[1] * kSame),
-                           std::lround(w[2] * kSame)}];
+    Group& group =
+        groups[{std::lround(w[0] * kSame), std::lround(w[1] * kSame), std::lround(w[2] * kSame)}];
     group.wi = w;
     group.members.push_back(i);
   }
@@ -133,8 +133,7 @@ std::vector<double> solid_angles(std::span<const double> directions) {
   for (int ring = 0; ring < kRings; ++ring) {
     const double theta = (ring + 0.5) * kRing, z = std::cos(theta), s = std::sin(theta);
     const int turns = std::max(6, static_cast<int>(4 * kRings * s));
-    const double cell =
-        2 * kPi / turns * (std::cos(ring * kRing) - std::cos((ring + 1) * kRing));
+    const double cell = 2 * kPi / turns * (std::cos(ring * kRing) - std::cos((ring + 1) * kRing));
     for (int turn = 0; turn < turns; ++turn) {
       const double phi = 2 * kPi * (turn + 0.5) / turns;
       const auto index = nearest.to({s * std::cos(phi), s * std::sin(phi), z});

@@ -83,8 +83,8 @@ Result<double> TextWords::number(const std::string& what) {
 
 Error TextWords::error(const std::string& found, const std::string& expected) const {
   return {ErrorCode::data_loss,
-          name_ + ":" + std::to_string(line_) + ": found " + found + "; expected " + expected, name_,
-          found, expected};
+          name_ + ":" + std::to_string(line_) + ": found " + found + "; expected " + expected,
+          name_, found, expected};
 }
 
 }  // namespace gonio

@@ -1,19 +1,17 @@
-// Fits over the wire: the library's own result, progress, cancelling, bounds, errors.
+// Fits over the wire: the library's own result, progress, errors.
+#include "fit/fit.h"
+
 #include <gmock/gmock.h>
 #include <google/protobuf/util/json_util.h>
 #include <google/protobuf/util/message_differencer.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <numbers>
-#include <thread>
 
 #include "client/fit_convert.h"
-#include "client/server_fixture.h"
+#include "client/fit_fixture.h"
 #include "engine/evaluate.h"
-#include "fit/fit.h"
-#include "fit/synthetic.h"
 #include "measured/synthetic_merl.h"
 #include "server/fit_messages.h"
 
@@ -21,52 +19,10 @@ namespace gonio::test {
 namespace {
 
 using ::testing::Contains;
-using ::testing::HasSubstr;
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-const MaterialSpec kTruth{
-    {},
-    LobeSpec{"lambertian", {{"rd", std::vector{0.3, 0.1, 0.05}}}},
-    {LobeSpec{"ggx",
-              {{"alpha_x", std::vector{0.2}}, {"alpha_y", std::vector{0.2}}, {"f0", std::vector{0.2}},
-               {"fresnel", "schlick"}}}}};
-
-// Pairs in float32, as they travel.
-struct Measured {
-  explicit Measured(std::size_t count) {
-    const auto pairs = gonio::testing::scattered_pairs(count, 1);
-    const auto data = gonio::testing::data_of(kTruth, pairs, 0.05);
-    for (std::size_t i = 0; i < data.size(); ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        wi.push_back(data.wi[k][i]);
-        wo.push_back(data.wo[k][i]);
-        values.push_back(data.channel(static_cast<int>(k))[i]);
-      }
-    }
-    weights = data.weights;
-  }
-  [[nodiscard]] client::FitData data() const { return {wi, wo, values, 3, weights, std::nullopt}; }
-  std::vector<float> wi, wo, values, weights;
-};
-
-client::Material form() {
-  return client::Material::sum(client::Lobe{"lambertian", {}},
-                               {client::Lobe{"ggx", {{"fresnel", "schlick"}}}});
-}
-
-class Fit : public ServerFixture {
- protected:
-  void start_with(const std::function<void(ServerOptions&)>& change) {
-    ServerOptions options;
-    options.addresses = {"127.0.0.1:0", "unix:" + (folder_ / "socket").string()};
-    change(options);
-    server_.reset();  // the addresses are its own
-    auto server = Server::start(options);
-    ASSERT_TRUE(server.ok()) << server.error().message;
-    server_ = std::move(server).value();
-  }
-};
+using Fit = FitFixture;
 
 TEST_F(Fit, IsTheLibrarysOwnOnEveryTransport) {
   const Measured measured(4000);
@@ -118,109 +74,6 @@ TEST_F(Fit, SpeaksAtLeastTwiceASecond) {
   longest = std::max(longest, Clock::now() - last);
   EXPECT_LT(longest, milliseconds(500));
   EXPECT_THAT(stages, Contains("polish"));
-}
-
-TEST_F(Fit, EndsSoonWhenItIsCancelled) {
-  start_with([](ServerOptions& options) { options.fit_threads = 1; });
-  const Measured measured(200'000);
-  client::FitOptions options;
-  options.polish = true;
-  for (const char* at : {"data", "scan", "starts", "fit", "polish"}) {
-    bool stop = false;
-    client::FitWatch watch;
-    watch.progress = [&](const client::FitProgress& progress) { stop = stop || progress.stage == at; };
-    Clock::time_point said;
-    watch.stop = [&] {
-      if (stop && said == Clock::time_point()) said = Clock::now();
-      return stop;
-    };
-    const auto result = connect("unix").fit(measured.data(), form(), options, watch);
-    if (!stop) continue;  // a stage of less than a moment
-    ASSERT_FALSE(result.ok());
-    EXPECT_EQ(result.error().code, ErrorCode::cancelled) << result.error().message;
-    EXPECT_LT(Clock::now() - said, milliseconds(200)) << at;
-    // The only thread is free again: the next fit of nearly nothing is done at once.
-    const Measured little(50);
-    const auto start = Clock::now();
-    client::FitOptions quick;
-    quick.deadline = milliseconds(5000);
-    EXPECT_TRUE(connect("unix").fit(little.data(), client::Material::model("lambertian"), quick).ok());
-    EXPECT_LT(Clock::now() - start, milliseconds(1000)) << at;
-  }
-}
-
-TEST_F(Fit, KeepsItsDeadlines) {
-  const Measured measured(200'000);
-  client::FitOptions options;
-  options.polish = true;
-  options.deadline = milliseconds(150);
-  auto start = Clock::now();
-  auto result = connect("tcp").fit(measured.data(), form(), options);
-  ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().code, ErrorCode::deadline_exceeded) << result.error().message;
-  EXPECT_LT(Clock::now() - start, milliseconds(800));
-
-  start_with([](ServerOptions& server) { server.longest_fit = milliseconds(150); });
-  options.deadline.reset();
-  start = Clock::now();
-  result = connect("tcp").fit(measured.data(), form(), options);
-  ASSERT_FALSE(result.ok());
-  EXPECT_EQ(result.error().code, ErrorCode::deadline_exceeded) << result.error().message;
-  EXPECT_LT(Clock::now() - start, milliseconds(2000));
-}
-
-TEST_F(Fit, IsRefusedWhereTooManyWait) {
-  start_with([](ServerOptions& options) {
-    options.fit_threads = 1;
-    options.max_fits = 2;
-  });
-  const Measured measured(100'000);
-  std::atomic<int> heard{0};
-  std::atomic<bool> stop{false};
-  const auto wait_for_end = [&] {
-    client::FitOptions slow;
-    slow.polish = true;
-    slow.starts = 100;
-    client::FitWatch watch;
-    bool said = false;
-    watch.progress = [&](const auto&) { heard += std::exchange(said, true) ? 0 : 1; };
-    watch.stop = [&] { return stop.load(); };
-    return connect("tcp").fit(measured.data(), form(), slow, watch);
-  };
-  std::thread first(wait_for_end), second(wait_for_end);
-  while (heard < 2) std::this_thread::sleep_for(milliseconds(5));
-  client::ClientOptions impatient;
-  impatient.max_retries = 0;
-  const auto refused = connect("tcp", impatient).fit(measured.data(), form());
-  ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.error().code, ErrorCode::resource_exhausted);
-  EXPECT_THAT(refused.error().message, HasSubstr("queue of fits is full"));
-  stop = true;
-  first.join();
-  second.join();
-  const Measured little(50);
-  EXPECT_TRUE(connect("tcp").fit(little.data(), client::Material::model("lambertian")).ok());
-}
-
-TEST_F(Fit, LeavesEvaluationAlone) {
-  const Measured measured(20'000);
-  std::atomic<int> done{0};
-  const auto fit_one = [&] {
-    const auto result = connect("unix").fit(measured.data(), form());
-    EXPECT_TRUE(result.ok()) << result.error().message;
-    ++done;
-  };
-  std::thread first(fit_one), second(fit_one);
-  const auto client = connect("unix");
-  std::vector<float> values(3 * 20'000);
-  int evaluations = 0;
-  while (done < 2) {
-    ASSERT_TRUE(client.evaluate(ggx(), measured.wi, measured.wo, values).ok());
-    ++evaluations;
-  }
-  first.join();
-  second.join();
-  EXPECT_GT(evaluations, 0);
 }
 
 TEST_F(Fit, NamesWhatIsWrong) {

@@ -1,4 +1,6 @@
 // Scattered measurements in text: real files, made ones, and what is wrong with others.
+#include "measured/pairs.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,7 +8,6 @@
 #include <random>
 
 #include "data_folder.h"
-#include "measured/pairs.h"
 #include "measured/temp_folder.h"
 
 namespace gonio::testing {
@@ -63,7 +64,8 @@ TEST(Alta, ReadsTheProjectedAngles) {
 
 TEST(Alta, TakesTheCosineOutAndMarksTheHorizon) {
   const auto pairs = parse_alta(
-      "#PARAM_OUT INV_STERADIAN_COSINE_FACTOR\r\n" + kAlta + "0.5 1.5707963267948966 0 0.5\n", "tape");
+      "#PARAM_OUT INV_STERADIAN_COSINE_FACTOR\r\n" + kAlta + "0.5 1.5707963267948966 0 0.5\n",
+      "tape");
   ASSERT_TRUE(pairs.ok()) << message(pairs);
   EXPECT_THAT(pairs->values, ElementsAre(DoubleNear(0.25 / std::cos(0.5), 1e-15), 0.125, 0.5));
   EXPECT_EQ(pairs->wo[8], 0);
@@ -98,9 +100,15 @@ TEST(Text, SurvivesAnything) {
     for (int i = std::uniform_int_distribution<int>(1, 4)(random); i > 0 && !text.empty(); --i) {
       const std::size_t at = random() % text.size();
       switch (random() % 3) {
-        case 0: text[at] = static_cast<char>(random()); break;
-        case 1: text.resize(at); break;
-        default: text.insert(at, text.substr(random() % text.size(), random() % 16)); break;
+        case 0:
+          text[at] = static_cast<char>(random());
+          break;
+        case 1:
+          text.resize(at);
+          break;
+        default:
+          text.insert(at, text.substr(random() % text.size(), random() % 16));
+          break;
       }
     }
     for (const auto& pairs : {parse_cornell(text, "p"), parse_alta(text, "p")}) {

@@ -1,4 +1,6 @@
 // The measure that a measurement stands for.
+#include "measured/solid_angle.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,8 +9,6 @@
 #include <numbers>
 #include <numeric>
 #include <random>
-
-#include "measured/solid_angle.h"
 
 namespace gonio::testing {
 namespace {
@@ -36,8 +36,7 @@ TEST(SolidAngles, OfAPolarGridAreThoseOfItsCells) {
   const auto angles = solid_angles(polar(9, 36));
   EXPECT_NEAR(std::accumulate(angles.begin(), angles.end(), 0.0), 2 * kPi, 0.01);
   for (int r = 1; r < 8; ++r) {  // the nearest to the pole are triangles
-    const double cell =
-        2 * kPi / 36 * (std::cos(r * kPi / 18) - std::cos((r + 1) * kPi / 18));
+    const double cell = 2 * kPi / 36 * (std::cos(r * kPi / 18) - std::cos((r + 1) * kPi / 18));
     const double found =
         std::accumulate(angles.begin() + 36 * r, angles.begin() + 36 * (r + 1), 0.0) / 36;
     EXPECT_NEAR(found, cell, 0.05 * cell) << r;
@@ -91,9 +90,9 @@ TEST(PairMeasures, OfAWholeGoniometerAreAllPairs) {
   ASSERT_EQ(measures.size(), wi.size() / 3);
   EXPECT_NEAR(std::accumulate(measures.begin(), measures.end(), 0.0), 4 * kPi * kPi, 0.1);
   const std::size_t per_wi = outgoing.size() / 3;
-  EXPECT_NEAR(measures[per_wi + 100] / measures[100],
-              (std::cos(20 * kPi / 180) - std::cos(40 * kPi / 180)) / (1 - std::cos(20 * kPi / 180)),
-              1e-9);
+  EXPECT_NEAR(
+      measures[per_wi + 100] / measures[100],
+      (std::cos(20 * kPi / 180) - std::cos(40 * kPi / 180)) / (1 - std::cos(20 * kPi / 180)), 1e-9);
 }
 
 TEST(PairMeasures, OfOtherDataAreNotKnown) {

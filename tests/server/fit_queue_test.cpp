@@ -1,4 +1,6 @@
 // The queue of fits: bounded, each job once, what nobody waits for gives its place back.
+#include "server/fit_queue.h"
+
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -6,12 +8,11 @@
 #include <chrono>
 #include <future>
 
-#include "server/fit_queue.h"
-
 namespace gonio {
 namespace {
 
-FitQueue::Job job(std::function<void()> run, std::function<bool()> is_over = [] { return false; }) {
+FitQueue::Job job(
+    std::function<void()> run, std::function<bool()> is_over = [] { return false; }) {
   return {std::move(run), std::move(is_over)};
 }
 
