@@ -8,16 +8,16 @@
 
 #include "base/result.h"
 #include "client/chunks.h"
+#include "client/request_head.h"
 #include "client/rpc.h"
-#include "wire/codec.h"
 
 namespace gonio::client {
 
 // The error of a server that does not keep to the protocol.
 Error malformed(const Peer& peer, const std::string& what);
 
-// `report`: of the answers before this one.
-Outcome check_lengths(const Peer& peer, const OutgoingChunk& chunk, const wire::Response& answer,
-                      const Report& report);
+// `head`: of the request. `channels`: of the answers before this one, or 0.
+Outcome check_lengths(const Peer& peer, const RequestHead& head, const OutgoingChunk& chunk,
+                      const Answer& answer, int channels);
 
 }  // namespace gonio::client

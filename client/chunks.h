@@ -8,21 +8,28 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 #include "base/result.h"
+#include "client/answer.h"
 #include "client/client.h"
 #include "client/loan.h"
 #include "wire/codec.h"
 
 namespace gonio::client {
 
-// A run of pairs, as it is sent (and sent again, if need be). Copies share the directions.
+// A run of pairs or samples, as it is sent (and sent again, if need be). Copies share the arrays.
 struct OutgoingChunk {
   std::uint64_t first = 0;
   std::size_t pairs = 0;
-  std::optional<wire::PairSlices> directions;
-  std::optional<gonio::v1::Grid> grid;  // in place of directions
+  wire::RequestArrays arrays = {};
+  std::string head = {};  // what this chunk alone has, serialised: a grid, a run of samples
+
+  [[nodiscard]] const grpc::Slice& wi() const { return arrays.arrays[0].data; }
+  [[nodiscard]] const grpc::Slice& wo() const { return arrays.arrays[1].data; }
 };
 
 class ChunkSource {
@@ -38,8 +45,7 @@ class ChunkReceiver {
   // Whether the answers must come in the order of the pairs.
   [[nodiscard]] virtual bool ordered() const = 0;
   // Takes an answer whose lengths fit the chunk. `flagged` is where the counts of flags go.
-  virtual Outcome accept(const OutgoingChunk& chunk, const wire::Response& answer,
-                         Report& report) = 0;
+  virtual Outcome accept(const OutgoingChunk& chunk, const Answer& answer, Report& report) = 0;
 };
 
 // A slice of its own memory, aligned for any number. gRPC's own allocation puts small slices inside
@@ -51,6 +57,18 @@ T* writable(const grpc::Slice& slice) {
   return reinterpret_cast<T*>(const_cast<std::uint8_t*>(slice.begin()));
 }
 
+// A slice of the caller's array: lent where there is a `loan`, else a copy.
+grpc::Slice slice_of(const void* data, std::size_t bytes, Loan* loan);
+
+// Copies an array of an answer.
+template <class T>
+void copy_numbers(const Answer& answer, const wire::Array& array, T* to) {
+  answer.bytes.copy(array.offset, array.count * sizeof(T), to);
+}
+
+// Copies the answer's flags (all clear where it has none) and counts them.
+void take_flags(const Answer& answer, std::span<std::uint8_t> flags, Report& report);
+
 // From the caller's arrays: lent where there is a `loan`, else copied.
 template <class In>
 class ArraySource final : public ChunkSource {
@@ -60,8 +78,6 @@ class ArraySource final : public ChunkSource {
   Result<std::optional<OutgoingChunk>> next(std::size_t limit) override;
 
  private:
-  grpc::Slice slice_of(const In* data, std::size_t bytes);
-
   std::span<const In> wi_, wo_;
   Loan* loan_;
   std::uint64_t first_ = 0;
@@ -102,13 +118,15 @@ class GridSource final : public ChunkSource {
 template <class Out>
 class ArrayReceiver final : public ChunkReceiver {
  public:
-  ArrayReceiver(std::span<Out> values, std::span<std::uint8_t> flags, std::size_t pairs)
-      : values_(values), flags_(flags), pairs_(pairs) {}
+  // `pdf` is empty where none was asked for.
+  ArrayReceiver(std::span<Out> values, std::span<Out> pdf, std::span<std::uint8_t> flags,
+                std::size_t pairs)
+      : values_(values), pdf_(pdf), flags_(flags), pairs_(pairs) {}
   [[nodiscard]] bool ordered() const override { return false; }
-  Outcome accept(const OutgoingChunk& chunk, const wire::Response& answer, Report& report) override;
+  Outcome accept(const OutgoingChunk& chunk, const Answer& answer, Report& report) override;
 
  private:
-  std::span<Out> values_;
+  std::span<Out> values_, pdf_;
   std::span<std::uint8_t> flags_;
   std::size_t pairs_;
   std::vector<std::uint8_t> scratch_;  // flags to count that the caller does not want
@@ -120,11 +138,11 @@ class SinkReceiver final : public ChunkReceiver {
  public:
   explicit SinkReceiver(const ChunkSink<In, Out>& sink) : sink_(sink) {}
   [[nodiscard]] bool ordered() const override { return true; }
-  Outcome accept(const OutgoingChunk& chunk, const wire::Response& answer, Report& report) override;
+  Outcome accept(const OutgoingChunk& chunk, const Answer& answer, Report& report) override;
 
  private:
   const ChunkSink<In, Out>& sink_;
-  std::vector<Out> values_;
+  std::vector<Out> values_, pdf_;
   std::vector<std::uint8_t> flags_;
 };
 

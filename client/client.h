@@ -1,4 +1,4 @@
-// The gonio client: evaluates materials on a server. This is the header to read first.
+// The gonio client: evaluates and samples materials on a server. This is the header to read first.
 //
 //   auto client = gonio::client::Client::connect("localhost:50051");
 //   auto gold = gonio::client::Material::from_json(
@@ -15,10 +15,12 @@
 // are not affected. What comes back depends on nothing but pair, material, precision and
 // instruction set.
 //
-// Up to `chunk_pairs` pairs travel as one call; more as a stream of chunks, several of them in
-// flight. What a server refuses for the moment, or loses because it goes down, is sent again, a
-// bounded number of times and within the deadline: evaluation changes nothing on the server, so
-// that repeating it is safe.
+// Sampling draws directions wo for a wi, with densities and weights: see client/sampling.h.
+//
+// Up to `chunk_pairs` pairs (or samples) travel as one call; more as a stream of chunks, several of
+// them in flight. What a server refuses for the moment, or loses because it goes down, is sent
+// again, a bounded number of times and within the deadline: nothing changes on the server and every
+// answer can be repeated.
 //
 // Errors are values (base/result.h) and name the field or the server's address. Where one comes
 // back, the contents of the caller's arrays are unspecified. Thread safety: one Client may be used
@@ -40,6 +42,7 @@
 #include "client/grid.h"
 #include "client/material.h"
 #include "client/models.h"
+#include "client/sampling.h"
 #include "client/types.h"
 
 namespace grpc {
@@ -55,7 +58,8 @@ struct ClientOptions {
   // After this long, an address that does not answer at all counts as unreachable. Not for
   // from_channel().
   std::chrono::milliseconds connect_timeout{5000};
-  // Pairs in a chunk, and in a call; fewer are taken where an answer would exceed 3 MiB.
+  // Pairs, or samples, in a chunk and in a call; fewer are taken where an answer would exceed 3
+  // MiB.
   std::size_t chunk_pairs = 65536;
   // Chunks on their way at a time.
   int in_flight = 4;
@@ -70,6 +74,8 @@ struct EvaluateOptions {
   InstructionSet instruction_set = InstructionSet::best;
   // In place of ClientOptions::deadline.
   std::optional<std::chrono::milliseconds> deadline;
+  // evaluate_chunks() then gives Chunk::pdf, the densities of evaluate_with_pdf().
+  bool pdf = false;
 };
 
 // Gives the next pairs: writes n <= wi.size() / 3 of them to the front of both spans and returns n;
@@ -86,6 +92,7 @@ struct Chunk {
   int channels = 0;
   std::span<const In> wi, wo;           // as the source gave them; empty for a grid
   std::span<const Out> values;          // pairs x channels
+  std::span<const Out> pdf;             // one a pair, if EvaluateOptions::pdf asked for it
   std::span<const std::uint8_t> flags;  // one byte a pair
 };
 
@@ -133,7 +140,18 @@ class Client {
                           std::span<std::uint8_t> flags = {},
                           const EvaluateOptions& options = {}) const;
 
-  // The same for the grid.size() pairs of a grid, in its order.
+  // The same, and the density per steradian with which sample() draws wo for wi: one a pair, 0 for
+  // a flagged one.
+  Result<Report> evaluate_with_pdf(const Material& material, std::span<const float> wi,
+                                   std::span<const float> wo, std::span<float> values,
+                                   std::span<float> pdf, std::span<std::uint8_t> flags = {},
+                                   const EvaluateOptions& options = {}) const;
+  Result<Report> evaluate_with_pdf(const Material& material, std::span<const double> wi,
+                                   std::span<const double> wo, std::span<double> values,
+                                   std::span<double> pdf, std::span<std::uint8_t> flags = {},
+                                   const EvaluateOptions& options = {}) const;
+
+  // The same as evaluate() for the grid.size() pairs of a grid, in its order.
   Result<Report> evaluate(const Material& material, const Grid& grid, std::span<float> values,
                           std::span<std::uint8_t> flags = {},
                           const EvaluateOptions& options = {}) const;
@@ -152,6 +170,31 @@ class Client {
   Result<Report> evaluate_chunks(const Material& material, const Grid& grid,
                                  const ChunkSink<Out, Out>& sink,
                                  const EvaluateOptions& options = {}) const;
+
+  // Draws samples batch.first ... batch.first + results.pdf.size() - 1 of batch.wi.size() / 3 x
+  // batch.per_wi. Errors: lengths that do not fit, and what the server says.
+  Result<Report> sample(const Material& material, const SampleBatch<float>& batch,
+                        const Samples<float>& results, const EvaluateOptions& options = {}) const;
+  Result<Report> sample(const Material& material, const SampleBatch<double>& batch,
+                        const Samples<double>& results, const EvaluateOptions& options = {}) const;
+
+  // per_wi samples of any number of wi in little memory: from a source, to a sink. T: float or
+  // double.
+  template <class T>
+  Result<Report> sample_chunks(const Material& material, const DirectionSource<T>& source,
+                               std::uint64_t per_wi, const NumberSource& numbers,
+                               const SampleSink<T>& sink,
+                               const EvaluateOptions& options = {}) const;
+
+  // The albedo for each of wi.size() / 3 directions, by per_wi >= 2 samples of each; sums and
+  // squares are formed in float64. float wi ask for Precision::fast, double wi for
+  // Precision::reference.
+  Result<Albedos> integrate(const Material& material, std::span<const float> wi,
+                            std::uint64_t per_wi, const NumberSource& numbers = {},
+                            const EvaluateOptions& options = {}) const;
+  Result<Albedos> integrate(const Material& material, std::span<const double> wi,
+                            std::uint64_t per_wi, const NumberSource& numbers = {},
+                            const EvaluateOptions& options = {}) const;
 
   // Fits what `form` names (models and words; numbers in it are a first guess) to measured
   // reflectance: see client/fit.h. The data travel as one message: up to some 1.5 million pairs of

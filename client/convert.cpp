@@ -9,6 +9,7 @@ static_assert(int{flag::zero} == gonio::v1::PAIR_FLAG_ZERO);
 static_assert(int{flag::incident_below_horizon} == gonio::v1::PAIR_FLAG_INCIDENT_BELOW_HORIZON);
 static_assert(int{flag::outgoing_below_horizon} == gonio::v1::PAIR_FLAG_OUTGOING_BELOW_HORIZON);
 static_assert(int{flag::outside_data} == gonio::v1::PAIR_FLAG_OUTSIDE_DATA);
+static_assert(int{flag::bad_number} == gonio::v1::PAIR_FLAG_BAD_NUMBER);
 
 Role role_of(gonio::v1::ModelRole role) {
   switch (role) {
@@ -78,6 +79,10 @@ gonio::v1::InstructionSet to_wire(InstructionSet set) {
 gonio::v1::Precision to_wire(Precision precision) {
   return precision == Precision::reference ? gonio::v1::PRECISION_REFERENCE
                                            : gonio::v1::PRECISION_FAST;
+}
+
+gonio::v1::Sequence to_wire(Sequence sequence) {
+  return sequence == Sequence::sobol ? gonio::v1::SEQUENCE_SOBOL : gonio::v1::SEQUENCE_RANDOM;
 }
 
 InstructionSet instruction_set_of(gonio::v1::InstructionSet set) {

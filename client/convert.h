@@ -3,14 +3,17 @@
 #pragma once
 
 #include "client/models.h"
+#include "client/sampling.h"
 #include "client/types.h"
 #include "gonio/v1/evaluate.pb.h"
 #include "gonio/v1/models.pb.h"
+#include "gonio/v1/sample.pb.h"
 
 namespace gonio::client {
 
 gonio::v1::InstructionSet to_wire(InstructionSet set);
 gonio::v1::Precision to_wire(Precision precision);
+gonio::v1::Sequence to_wire(Sequence sequence);
 
 InstructionSet instruction_set_of(
     gonio::v1::InstructionSet set);  // `best` for one that is not known

@@ -1,5 +1,5 @@
 #include <string>
-#include <type_traits>
+#include <utility>
 
 #include "client/chunks.h"
 #include "client/client.h"
@@ -10,46 +10,20 @@ namespace gonio::client {
 namespace {
 
 template <class Out>
-Outcome check_results(std::uint64_t pairs, std::span<Out> values, std::span<std::uint8_t> flags) {
-  const bool whole = pairs == 0 ? values.empty() : values.size() % pairs == 0;
-  const std::size_t channels = pairs == 0 ? 1 : values.size() / pairs;
-  if (!whole || channels < 1 || channels > kMaxChannels) {
-    return bad_value("the length of values", std::to_string(values.size()),
-                     std::to_string(pairs) + " pairs x the material's channels (1 to 64)");
-  }
-  if (!flags.empty() && flags.size() != pairs) {
-    return bad_value("the length of flags", std::to_string(flags.size()),
-                     "0, or one byte for each of the " + std::to_string(pairs) + " pairs");
-  }
-  return Ok{};
-}
-
-// No pairs: the material is checked all the same, and the report says what it is.
-Result<Report> evaluate_nothing(Evaluation& evaluation) {
-  auto report = evaluation.probe();
-  if (!report) return report;
-  report->pairs = 0;
-  report->kernel_seconds = 0;
-  return report;
-}
-
-template <class Out>
 Result<Report> evaluate_into(Evaluation& evaluation, ChunkSource& source, std::uint64_t pairs,
-                             std::span<Out> values, std::span<std::uint8_t> flags) {
-  if (auto fit = check_results(pairs, values, flags); !fit) return fit.error();
-  if (pairs == 0) return evaluate_nothing(evaluation);
-  ArrayReceiver<Out> receiver(values, flags, pairs);
+                             std::span<Out> values, std::span<Out> pdf,
+                             std::span<std::uint8_t> flags) {
+  auto fit = check_result_lengths("pairs", pairs, "values", values.size(), flags.size());
+  if (!fit) return fit.error();
+  if (pairs == 0) return evaluation.probe_for_nothing();
+  ArrayReceiver<Out> receiver(values, pdf, flags, pairs);
   return evaluation.run(source, receiver, values.size() / pairs, pairs);
-}
-
-template <class Out>
-constexpr Precision precision_for() {
-  return std::is_same_v<Out, double> ? Precision::reference : Precision::fast;
 }
 
 template <class In, class Out>
 Result<Report> evaluate_pairs(Evaluation evaluation, std::span<const In> wi, std::span<const In> wo,
-                              std::span<Out> values, std::span<std::uint8_t> flags) {
+                              std::span<Out> values, std::span<Out> pdf,
+                              std::span<std::uint8_t> flags) {
   if (wi.size() % 3 != 0) {
     return bad_value("the length of wi", std::to_string(wi.size()), "a multiple of 3");
   }
@@ -59,7 +33,7 @@ Result<Report> evaluate_pairs(Evaluation evaluation, std::span<const In> wi, std
   }
   Loan loan;  // outlives all that is made of it
   ArraySource<In> source(wi, wo, evaluation.has_deadline() ? nullptr : &loan);
-  return evaluate_into(evaluation, source, wi.size() / 3, values, flags);
+  return evaluate_into(evaluation, source, wi.size() / 3, values, pdf, flags);
 }
 
 template <class Out>
@@ -67,7 +41,7 @@ Result<Report> evaluate_grid(Evaluation evaluation, const Grid& grid, std::span<
                              std::span<std::uint8_t> flags) {
   if (auto checked = check(grid); !checked) return checked.error();
   GridSource source(grid);
-  return evaluate_into(evaluation, source, *grid.size(), values, flags);
+  return evaluate_into(evaluation, source, *grid.size(), values, {}, flags);
 }
 
 template <class In, class Out>
@@ -79,9 +53,22 @@ Result<Report> evaluate_to_sink(Evaluation& evaluation, ChunkSource& source,
   SinkReceiver<In, Out> receiver(sink);
   auto report = evaluation.run(source, receiver, static_cast<std::size_t>(probed->channels), total);
   if (!report || report->pairs != 0) return report;
-  probed->pairs = 0;
-  probed->kernel_seconds = 0;
-  return probed;
+  return about_nothing(*probed);
+}
+
+template <class T>
+Result<Report> evaluate_both(Evaluation evaluation, std::span<const T> wi, std::span<const T> wo,
+                             std::span<T> values, std::span<T> pdf, std::span<std::uint8_t> flags) {
+  if (pdf.size() != wi.size() / 3) {
+    return bad_value("the length of pdf", std::to_string(pdf.size()),
+                     "one for each of the " + std::to_string(wi.size() / 3) + " pairs");
+  }
+  return evaluate_pairs(std::move(evaluation), wi, wo, values, pdf, flags);
+}
+
+EvaluateOptions with_pdf(EvaluateOptions options) {
+  options.pdf = true;
+  return options;
 }
 
 }  // namespace
@@ -96,7 +83,7 @@ Result<Report> Client::evaluate(const Material& material, std::span<const float>
                                 std::span<const float> wo, std::span<float> values,
                                 std::span<std::uint8_t> flags,
                                 const EvaluateOptions& options) const {
-  return evaluate_pairs(state_->evaluation(material, Precision::fast, options), wi, wo, values,
+  return evaluate_pairs(state_->evaluation(material, Precision::fast, options), wi, wo, values, {},
                         flags);
 }
 
@@ -105,7 +92,7 @@ Result<Report> Client::evaluate(const Material& material, std::span<const float>
                                 std::span<std::uint8_t> flags,
                                 const EvaluateOptions& options) const {
   return evaluate_pairs(state_->evaluation(material, Precision::reference, options), wi, wo, values,
-                        flags);
+                        {}, flags);
 }
 
 Result<Report> Client::evaluate(const Material& material, std::span<const double> wi,
@@ -113,7 +100,23 @@ Result<Report> Client::evaluate(const Material& material, std::span<const double
                                 std::span<std::uint8_t> flags,
                                 const EvaluateOptions& options) const {
   return evaluate_pairs(state_->evaluation(material, Precision::reference, options), wi, wo, values,
-                        flags);
+                        {}, flags);
+}
+
+Result<Report> Client::evaluate_with_pdf(const Material& material, std::span<const float> wi,
+                                         std::span<const float> wo, std::span<float> values,
+                                         std::span<float> pdf, std::span<std::uint8_t> flags,
+                                         const EvaluateOptions& options) const {
+  return evaluate_both(state_->evaluation(material, Precision::fast, with_pdf(options)), wi, wo,
+                       values, pdf, flags);
+}
+
+Result<Report> Client::evaluate_with_pdf(const Material& material, std::span<const double> wi,
+                                         std::span<const double> wo, std::span<double> values,
+                                         std::span<double> pdf, std::span<std::uint8_t> flags,
+                                         const EvaluateOptions& options) const {
+  return evaluate_both(state_->evaluation(material, Precision::reference, with_pdf(options)), wi,
+                       wo, values, pdf, flags);
 }
 
 Result<Report> Client::evaluate(const Material& material, const Grid& grid, std::span<float> values,

@@ -16,15 +16,18 @@ constexpr std::size_t kMaxAnswerBytes = std::size_t{3} << 20;
 
 Evaluation::Evaluation(const Peer& peer, const ClientOptions& options,
                        const EvaluateOptions& evaluate_options, const Material& material,
-                       Precision precision)
+                       RequestHead head)
     : peer_(peer),
       options_(options),
+      evaluate_options_(evaluate_options),
+      material_(material),
       patience_(options, evaluate_options.deadline),
-      head_(material, precision, evaluate_options.instruction_set) {}
+      head_(std::move(head)) {}
 
 std::size_t Evaluation::chunk_limit(std::size_t channels) const {
   const bool f64 = head_.precision() == Precision::reference;
-  const std::size_t pair_bytes = channels * (f64 ? sizeof(double) : sizeof(float));
+  const std::size_t numbers = channels + (head_.wants_pdf() ? 1 : 0) + (head_.wants_wo() ? 3 : 0);
+  const std::size_t pair_bytes = numbers * (f64 ? sizeof(double) : sizeof(float));
   return std::min(options_.chunk_pairs, std::max<std::size_t>(kMaxAnswerBytes / pair_bytes, 1));
 }
 
@@ -32,12 +35,27 @@ Result<Report> Evaluation::probe() {
   static constexpr std::array<float, 3> kNormal = {0, 0, 1};
   class Nowhere final : public ChunkReceiver {
     [[nodiscard]] bool ordered() const override { return false; }
-    Outcome accept(const OutgoingChunk&, const wire::Response&, Report&) override { return Ok{}; }
+    Outcome accept(const OutgoingChunk&, const Answer&, Report&) override { return Ok{}; }
   } receiver;
   ArraySource<float> source(kNormal, kNormal, nullptr);
-  Exchange exchange(peer_, options_, head_, patience_, source, receiver);
+  EvaluateOptions options = evaluate_options_;
+  options.pdf = false;
+  const RequestHead head = RequestHead::evaluate(material_, head_.precision(), options);
+  Exchange exchange(peer_, options_, head, patience_, source, receiver);
   if (auto outcome = exchange.run_call(1); !outcome) return outcome.error();
   return exchange.report();
+}
+
+Report about_nothing(Report probed) {
+  probed.pairs = 0;
+  probed.kernel_seconds = 0;
+  return probed;
+}
+
+Result<Report> Evaluation::probe_for_nothing() {
+  auto report = probe();
+  if (!report) return report;
+  return about_nothing(*report);
 }
 
 Result<Report> Evaluation::run(ChunkSource& source, ChunkReceiver& receiver, std::size_t channels,
@@ -48,6 +66,22 @@ Result<Report> Evaluation::run(ChunkSource& source, ChunkReceiver& receiver, std
   auto outcome = one_call ? exchange.run_call(limit) : exchange.run_stream(limit);
   if (!outcome) return outcome.error();
   return exchange.report();
+}
+
+Outcome check_result_lengths(const char* items, std::uint64_t count, const char* name,
+                             std::size_t values, std::size_t flags) {
+  const std::string number = std::to_string(count) + " " + items;
+  const bool whole = count == 0 ? values == 0 : values % count == 0;
+  const std::size_t channels = count == 0 ? 1 : values / count;
+  if (!whole || channels < 1 || channels > kMaxChannels) {
+    return bad_value(std::string("the length of ") + name, std::to_string(values),
+                     number + " x the material's channels (1 to 64)");
+  }
+  if (flags != 0 && flags != count) {
+    return bad_value("the length of flags", std::to_string(flags),
+                     "0, or one byte for each of the " + number);
+  }
+  return Ok{};
 }
 
 Outcome check(const Grid& grid) {

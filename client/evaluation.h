@@ -1,5 +1,5 @@
-// One evaluation: from what the caller asks for to the calls and chunks that do it. Internal to the
-// client library.
+// One evaluation, or drawing of samples: from what the caller asks for to the calls and chunks that
+// do it. Internal to the client library.
 //
 // Thread safety: used by one thread.
 #pragma once
@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 
 #include "base/result.h"
 #include "client/chunks.h"
@@ -21,12 +22,16 @@ inline constexpr std::size_t kMaxChannels = 64;
 
 class Evaluation {
  public:
+  // `material` outlives the evaluation.
   Evaluation(const Peer& peer, const ClientOptions& options,
-             const EvaluateOptions& evaluate_options, const Material& material,
-             Precision precision);
+             const EvaluateOptions& evaluate_options, const Material& material, RequestHead head);
 
   // Evaluates one pair along the normal: what the material is, without any pairs of the caller's.
   Result<Report> probe();
+
+  // The same with the cost of nothing, for a caller who has no pairs: the material is checked all
+  // the same, and the report says what it is.
+  Result<Report> probe_for_nothing();
 
   // Everything that `source` has, at most `total` pairs if that is known, for a material of
   // `channels`.
@@ -40,9 +45,24 @@ class Evaluation {
 
   const Peer& peer_;
   const ClientOptions& options_;
+  EvaluateOptions evaluate_options_;
+  const Material& material_;
   Patience patience_;  // for the probe and all that follows
   RequestHead head_;
 };
+
+// A probe's report as that of nothing at all.
+Report about_nothing(Report probed);
+
+template <class T>
+constexpr Precision precision_for() {
+  return std::is_same_v<T, double> ? Precision::reference : Precision::fast;
+}
+
+// Whether results of `items` ("pairs") have room: `values` for 1 to 64 channels, `flags` none or
+// one an item. `name`: what the values are called.
+Outcome check_result_lengths(const char* items, std::uint64_t count, const char* name,
+                             std::size_t values, std::size_t flags);
 
 // Errors: axes of both kinds, an axis without angles, more than 2^63 pairs.
 Outcome check(const Grid& grid);

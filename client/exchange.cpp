@@ -8,17 +8,12 @@
 #include "client/check_answer.h"
 #include "client/convert.h"
 #include "wire/codec.h"
-#include "wire/fields.h"
 #include "wire/status.h"
 
 namespace gonio::client {
 namespace {
 
 constexpr std::uint32_t kSlot = 0;  // one material a stream
-
-const wire::PairSlices* directions_of(const OutgoingChunk& chunk) {
-  return chunk.directions ? &*chunk.directions : nullptr;
-}
 
 }  // namespace
 
@@ -35,12 +30,10 @@ Exchange::Exchange(const Peer& peer, const ClientOptions& options, const Request
 
 std::string_view Exchange::head_for(const OutgoingChunk& chunk, bool with_material) {
   const auto head = with_material ? head_.with_material() : head_.without_material();
-  if (!chunk.grid) return head;
-  head_with_grid_ = head;
-  wire::put_header(head_with_grid_, gonio::v1::EvaluateRequest::kGridFieldNumber,
-                   chunk.grid->ByteSizeLong());
-  chunk.grid->AppendToString(&head_with_grid_);
-  return head_with_grid_;
+  if (chunk.head.empty()) return head;
+  head_with_rest_ = head;
+  head_with_rest_ += chunk.head;
+  return head_with_rest_;
 }
 
 Outcome Exchange::run_call(std::size_t limit) {
@@ -48,10 +41,10 @@ Outcome Exchange::run_call(std::size_t limit) {
   if (!next) return next.error();
   if (!*next) return Ok{};
   const OutgoingChunk& chunk = **next;
-  const auto request = wire::encode_request(head_for(chunk, true), directions_of(chunk));
-  auto bytes = call(peer_, kEvaluateMethod, request, patience_);
+  const auto request = wire::encode_request(head_for(chunk, true), chunk.arrays);
+  auto bytes = call(peer_, head_.method().call, request, patience_);
   if (!bytes) return bytes.error();
-  auto answer = wire::decode_response(*bytes);
+  auto answer = head_.method().decode(*bytes);
   if (!answer) return malformed(peer_, answer.error().message);
   return deliver(chunk, *answer);
 }
@@ -59,7 +52,7 @@ Outcome Exchange::run_call(std::size_t limit) {
 Outcome Exchange::run_stream(std::size_t limit) {
   limit_ = limit;
   for (;;) {
-    Stream stream(peer_, patience_);
+    Stream stream(peer_, head_.method().stream, patience_);
     auto finished = run_one_stream(stream);
     if (!finished) return finished.error();
     if (*finished) return Ok{};
@@ -115,8 +108,7 @@ Result<bool> Exchange::send_next(Stream& stream, bool& with_material) {
   if (!*sequence) return false;
   Pending& pending = pending_.at(**sequence);
   const auto head = head_for(pending.chunk, with_material);
-  const auto* directions = directions_of(pending.chunk);
-  stream.write(wire::encode_stream_request(**sequence, kSlot, head, directions));
+  stream.write(wire::encode_stream_request(**sequence, kSlot, head, pending.chunk.arrays));
   pending.state = State::on_its_way;
   with_material = false;
   return true;
@@ -143,7 +135,7 @@ void Exchange::send_again() {
 }
 
 Outcome Exchange::take(const grpc::ByteBuffer& message) {
-  auto response = wire::decode_stream_response(message);
+  auto response = head_.method().decode_stream(message);
   if (!response) return malformed(peer_, response.error().message);
   const auto found = pending_.find(response->sequence);
   if (found == pending_.end() || found->second.state != State::on_its_way) {
@@ -155,7 +147,7 @@ Outcome Exchange::take(const grpc::ByteBuffer& message) {
   }
   patience_.progress();
   send_one_refused_again();
-  return take_answer(response->sequence, std::get<wire::Response>(std::move(response->result)));
+  return take_answer(response->sequence, std::get<Answer>(std::move(response->result)));
 }
 
 Outcome Exchange::take_error(std::uint64_t sequence, const gonio::v1::ErrorDetail& detail) {
@@ -165,7 +157,7 @@ Outcome Exchange::take_error(std::uint64_t sequence, const gonio::v1::ErrorDetai
   return Ok{};
 }
 
-Outcome Exchange::take_answer(std::uint64_t sequence, wire::Response answer) {
+Outcome Exchange::take_answer(std::uint64_t sequence, Answer answer) {
   if (!receiver_.ordered()) {
     auto taken = pending_.extract(sequence);
     return deliver(taken.mapped().chunk, answer);
@@ -182,15 +174,16 @@ Outcome Exchange::take_answer(std::uint64_t sequence, wire::Response answer) {
   return Ok{};
 }
 
-Outcome Exchange::deliver(const OutgoingChunk& chunk, const wire::Response& answer) {
-  if (auto fit = check_lengths(peer_, chunk, answer, report_); !fit) return fit;
-  const gonio::v1::Report& cost = answer.head.report();
+Outcome Exchange::deliver(const OutgoingChunk& chunk, const Answer& answer) {
+  if (auto fit = check_lengths(peer_, head_, chunk, answer, report_.channels); !fit) return fit;
+  const gonio::v1::Report& cost = answer.report;
   if (report_.channels == 0) {
-    report_.channels = static_cast<int>(answer.head.channels());
+    report_.channels = static_cast<int>(answer.channels);
     report_.instruction_set = instruction_set_of(cost.instruction_set());
     report_.error_bound = error_bound_of(cost.error_bound());
   }
   report_.pairs += chunk.pairs;
+  report_.lost += answer.lost;
   report_.kernel_seconds += cost.kernel_seconds();
   report_.retries = patience_.retries();
   return receiver_.accept(chunk, answer, report_);

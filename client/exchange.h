@@ -1,5 +1,5 @@
-// An evaluation on its way: chunks out, answers in, over one call or as many streams as it takes.
-// Internal to the client library.
+// An evaluation, or a drawing of samples, on its way: chunks out, answers in, over one call or as
+// many streams as it takes. Internal to the client library.
 //
 // Chunks are numbered; answers are matched by number and may come in any order. A chunk is kept
 // until it is answered, so that it can be sent again on the next stream when one breaks. Thread
@@ -19,7 +19,6 @@
 #include "client/retry.h"
 #include "client/rpc.h"
 #include "client/stream.h"
-#include "gonio/v1/evaluate.pb.h"
 
 namespace gonio::client {
 
@@ -46,7 +45,7 @@ class Exchange {
   struct Pending {
     OutgoingChunk chunk;
     State state = State::to_send;
-    wire::Response answer;
+    Answer answer;
   };
 
   Result<bool> run_one_stream(Stream& stream);                  // false: the stream broke
@@ -54,9 +53,9 @@ class Exchange {
   Result<std::optional<std::uint64_t>> choose_next();
   std::string_view head_for(const OutgoingChunk& chunk, bool with_material);
   Outcome take(const grpc::ByteBuffer& message);
-  Outcome take_answer(std::uint64_t sequence, wire::Response answer);
+  Outcome take_answer(std::uint64_t sequence, Answer answer);
   Outcome take_error(std::uint64_t sequence, const gonio::v1::ErrorDetail& detail);
-  Outcome deliver(const OutgoingChunk& chunk, const wire::Response& answer);
+  Outcome deliver(const OutgoingChunk& chunk, const Answer& answer);
   [[nodiscard]] bool only_refused_left() const;
   void send_one_refused_again();
   void send_again();
@@ -64,7 +63,7 @@ class Exchange {
 
   const Peer& peer_;
   const RequestHead& head_;
-  std::string head_with_grid_;
+  std::string head_with_rest_;
   Patience& patience_;
   ChunkSource& source_;
   ChunkReceiver& receiver_;

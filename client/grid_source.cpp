@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "client/chunks.h"
+#include "wire/fields.h"
 
 namespace gonio::client {
 
@@ -21,7 +22,7 @@ GridSource::GridSource(const Grid& grid) : size_(*grid.size()) {
 Result<std::optional<OutgoingChunk>> GridSource::next(std::size_t limit) {
   const std::size_t pairs = std::min<std::uint64_t>(size_ - first_, limit);
   if (pairs == 0) return std::optional<OutgoingChunk>{};
-  OutgoingChunk chunk{first_, pairs, std::nullopt, gonio::v1::Grid()};
+  gonio::v1::Grid grid;
   std::uint64_t first = first_;  // within the axes not yet cut
   std::uint64_t last = first + pairs - 1;
   std::uint64_t inner = size_;  // pairs for each angle of the axis at hand
@@ -32,13 +33,16 @@ Result<std::optional<OutgoingChunk>> GridSource::next(std::size_t limit) {
     const std::uint64_t from = cut ? first / inner : 0;
     const std::uint64_t to = cut ? last / inner : axis.angles->size() - 1;
     const auto begin = axis.angles->begin();
-    ((*chunk.grid).*axis.field)()->Assign(begin + static_cast<std::ptrdiff_t>(from),
-                                          begin + static_cast<std::ptrdiff_t>(to + 1));
+    (grid.*axis.field)()->Assign(begin + static_cast<std::ptrdiff_t>(from),
+                                 begin + static_cast<std::ptrdiff_t>(to + 1));
     first -= from * inner;
     last -= from * inner;
   }
-  chunk.grid->set_first(first);
-  chunk.grid->set_count(pairs);
+  grid.set_first(first);
+  grid.set_count(pairs);
+  OutgoingChunk chunk{first_, pairs};
+  wire::put_header(chunk.head, gonio::v1::EvaluateRequest::kGridFieldNumber, grid.ByteSizeLong());
+  grid.AppendToString(&chunk.head);
   first_ += pairs;
   return std::optional(std::move(chunk));
 }

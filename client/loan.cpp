@@ -2,14 +2,19 @@
 
 #include <chrono>
 
+#include "base/happens_before.h"
 #include "client/attend.h"
 
 namespace gonio::client {
 
-void Loan::give_back(void* loan) { --static_cast<Loan*>(loan)->lent_; }
+void Loan::give_back(void* loan) {
+  happens_after(loan);
+  --static_cast<Loan*>(loan)->lent_;
+}
 
 grpc::Slice Loan::lend(const void* data, std::size_t bytes) {
   ++lent_;
+  happens_before(this);
   return {const_cast<void*>(data), bytes, give_back, this};  // gRPC does not write to it
 }
 

@@ -26,6 +26,9 @@ struct Peer {
 
 inline constexpr const char* kEvaluateMethod = "/gonio.v1.GonioService/Evaluate";
 inline constexpr const char* kEvaluateStreamMethod = "/gonio.v1.GonioService/EvaluateStream";
+inline constexpr const char* kSampleMethod = "/gonio.v1.GonioService/Sample";
+inline constexpr const char* kSampleStreamMethod = "/gonio.v1.GonioService/SampleStream";
+inline constexpr const char* kIntegrateMethod = "/gonio.v1.GonioService/Integrate";
 inline constexpr const char* kFitMethod = "/gonio.v1.GonioService/Fit";
 inline constexpr const char* kListModelsMethod = "/gonio.v1.GonioService/ListModels";
 

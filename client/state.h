@@ -2,6 +2,8 @@
 // queues changes, under a lock of its own.
 #pragma once
 
+#include <utility>
+
 #include "client/client.h"
 #include "client/evaluation.h"
 #include "client/rpc.h"
@@ -14,7 +16,13 @@ struct Client::State {
 
   [[nodiscard]] Evaluation evaluation(const Material& material, Precision precision,
                                       const EvaluateOptions& evaluate_options) const {
-    return {peer, options, evaluate_options, material, precision};
+    return {peer, options, evaluate_options, material,
+            RequestHead::evaluate(material, precision, evaluate_options)};
+  }
+  // `head`: of another kind.
+  [[nodiscard]] Evaluation evaluation(const Material& material, RequestHead head,
+                                      const EvaluateOptions& evaluate_options) const {
+    return {peer, options, evaluate_options, material, std::move(head)};
   }
 };
 

@@ -11,10 +11,10 @@ void* as_pointer(Tag tag) { return reinterpret_cast<void*>(static_cast<std::intp
 
 }  // namespace
 
-Stream::Stream(const Peer& peer, const Patience& patience)
+Stream::Stream(const Peer& peer, const char* method, const Patience& patience)
     : peer_(peer.name), call_(new OpenCall(patience, std::make_unique<grpc::CompletionQueue>())) {
   grpc::GenericStub stub(peer.channel);
-  call_->stream = stub.PrepareCall(&call_->context, kEvaluateStreamMethod, call_->queue.get());
+  call_->stream = stub.PrepareCall(&call_->context, method, call_->queue.get());
   call_->stream->StartCall(as_pointer(started));
 }
 

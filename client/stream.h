@@ -19,7 +19,7 @@ namespace gonio::client {
 
 class Stream {
  public:
-  Stream(const Peer& peer, const Patience& patience);
+  Stream(const Peer& peer, const char* method, const Patience& patience);
 
   enum class Event : std::uint8_t {
     writable,  // started, or the last write is done

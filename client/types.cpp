@@ -4,9 +4,13 @@ namespace gonio::client {
 namespace {
 
 constexpr std::array<std::string_view, 4> kInstructionSets = {"auto", "baseline", "avx2", "avx512"};
-constexpr std::array<std::string_view, kFlagBits> kFlagMeanings = {
-    "not unit",        "not finite", "zero", "wi below the horizon", "wo below the horizon",
-    "outside the data"};
+constexpr std::array<std::string_view, kFlagBits> kFlagMeanings = {"not unit",
+                                                                   "not finite",
+                                                                   "zero",
+                                                                   "wi below the horizon",
+                                                                   "wo below the horizon",
+                                                                   "outside the data",
+                                                                   "a number outside [0, 1)"};
 
 }  // namespace
 

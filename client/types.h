@@ -39,11 +39,13 @@ enum Bit : std::uint8_t {
   incident_below_horizon = 8,   // wi is at or below the horizon
   outgoing_below_horizon = 16,  // wo is at or below the horizon
   outside_data = 32,            // a measured material has no valid data there
+  bad_number = 64,              // of a sample: a number to draw it by is outside [0, 1)
 };
 }  // namespace flag
 
-inline constexpr std::size_t kFlagBits = 6;
-// What bit number `bit` (0 to kFlagBits - 1) means, in words: "not unit", ..., "outside the data".
+inline constexpr std::size_t kFlagBits = 7;
+// What bit number `bit` (0 to kFlagBits - 1) means, in words: "not unit", ..., "outside the data",
+// ...
 std::string_view flag_meaning(std::size_t bit);
 
 // |f - truth| <= relative * truth wherever truth > above and both cosines > cosine. `note` says
@@ -55,15 +57,16 @@ struct ErrorBound {
   std::string note;
 };
 
-// What an evaluation cost and what it is worth.
+// What an evaluation, or the drawing of samples, cost and what it is worth.
 struct Report {
-  std::uint64_t pairs = 0;
+  std::uint64_t pairs = 0;  // or samples
   int channels = 0;
   double kernel_seconds = 0;  // spent in the BRDF kernels, summed over the server's threads
   InstructionSet instruction_set = InstructionSet::best;
   Precision precision = Precision::fast;
   ErrorBound error_bound;
-  std::uint64_t flagged = 0;  // pairs with any flag
+  std::uint64_t lost = 0;     // samples that fell to or below the horizon
+  std::uint64_t flagged = 0;  // pairs with any flag, lost samples too
   std::array<std::uint64_t, kFlagBits>
       flagged_by{};  // pairs with this bit; a pair may have several
   int retries = 0;   // times that a call, a stream or refused chunks were sent again after a pause

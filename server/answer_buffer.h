@@ -8,6 +8,9 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
+
+#include "base/result.h"
 
 namespace gonio {
 
@@ -18,5 +21,10 @@ struct AnswerBuffer {
   // Uninitialised; nothing if there is no memory.
   static std::optional<AnswerBuffer> allocate(std::size_t bytes);
 };
+
+// The error where allocate() had none. `what`: such as "5 pairs".
+inline Error no_memory_for(const std::string& what) {
+  return {ErrorCode::resource_exhausted, "no memory for " + what, "", "", ""};
+}
 
 }  // namespace gonio

@@ -17,23 +17,23 @@ Error busy(const std::string& what) {
 
 }  // namespace
 
-Outcome compute(const Backend& backend, const std::shared_ptr<Evaluation>& evaluation,
-                const CallState& state, std::function<void(bool completed)> done) {
-  auto charge = backend.memory.take(evaluation->bytes());
+Outcome compute(const Backend& backend, const std::shared_ptr<Work>& work, const CallState& state,
+                std::function<void(bool completed)> done) {
+  auto charge = backend.memory.take(work->bytes());
   if (!charge) {
     return busy("memory is full: requests and answers hold " +
                 std::to_string(backend.memory.held()) + " of " +
                 std::to_string(backend.memory.limit()) + " bytes");
   }
-  evaluation->keep(std::move(charge));
-  if (evaluation->is_small()) {
-    evaluation->run_all();
+  work->keep(std::move(charge));
+  if (work->is_small()) {
+    work->run_all();
     done(true);
     return Ok{};
   }
   ThreadPool::Job job;
-  job.tiles = evaluation->tiles();
-  job.run = [evaluation](std::size_t tile) { evaluation->run_tile(tile); };
+  job.tiles = work->tiles();
+  job.run = [work](std::size_t tile) { work->run_tile(tile); };
   job.stop = [&state] { return state.is_over(); };
   job.done = std::move(done);
   if (backend.pool.submit(std::move(job))) return Ok{};
@@ -41,15 +41,18 @@ Outcome compute(const Backend& backend, const std::shared_ptr<Evaluation>& evalu
               " batches");
 }
 
-AccessLine::AccessLine(const char* method_name, const grpc::CallbackServerContext& context,
-                       const spdlog::logger& logger)
-    : method(method_name), peer(logger.should_log(spdlog::level::debug) ? context.peer() : "") {}
+AccessLine::AccessLine(const char* method_name, const char* name_of_items,
+                       const grpc::CallbackServerContext& context, const spdlog::logger& logger)
+    : method(method_name),
+      items_name(name_of_items),
+      peer(logger.should_log(spdlog::level::debug) ? context.peer() : "") {}
 
 void AccessLine::write(spdlog::logger& logger, const std::string& outcome) const {
   if (!logger.should_log(spdlog::level::debug)) return;
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
-  logger.debug("{} from {}: {}, {:.3f} ms, {} batches ({} failed), {} pairs, kernels {:.3f} ms",
-               method, peer, outcome, taken.count(), batches, failed, pairs, 1e3 * kernel_seconds);
+  logger.debug("{} from {}: {}, {:.3f} ms, {} batches ({} failed), {} {}, kernels {:.3f} ms",
+               method, peer, outcome, taken.count(), batches, failed, items, items_name,
+               1e3 * kernel_seconds);
 }
 
 }  // namespace gonio

@@ -1,4 +1,4 @@
-// What the handlers share: the parts of the server they work with, and how a batch gets onto the
+// What the handlers share: the parts of the server they work with, and how work gets onto the
 // compute pool.
 #pragma once
 
@@ -11,12 +11,13 @@
 #include <memory>
 #include <string>
 
+#include "base/happens_before.h"
 #include "base/result.h"
 #include "engine/thread_pool.h"
-#include "server/evaluation.h"
 #include "server/fit_queue.h"
 #include "server/materials.h"
 #include "server/memory_budget.h"
+#include "server/work.h"
 
 namespace grpc {
 class CallbackServerContext;
@@ -42,6 +43,27 @@ struct Backend {
   spdlog::logger& logger;
   MemoryBudget& memory;
   FitBackend fits;
+
+  // gRPC makes calls after a server's start, and ends its shutdown after the last of them: what was
+  // done with the backend before server_begins() is over at call_begins(), and what a call did
+  // before call_ends() is over at server_ended().
+  void server_begins() const { happens_before(&materials); }
+  void call_begins() const { happens_after(&materials); }
+  void call_ends() const { happens_before(&memory); }
+  void server_ended() const { happens_after(&memory); }
+};
+
+// The time of one reaction of a call. gRPC begins it after what it is the reaction to, an operation
+// or the call's beginning, and ends it before OnDone().
+class Reaction {
+ public:
+  Reaction(const void* call, const void* cause) : call_(call) { happens_after(cause); }
+  ~Reaction() { happens_before(call_); }
+  Reaction(const Reaction&) = delete;
+  Reaction& operator=(const Reaction&) = delete;
+
+ private:
+  const void* call_;
 };
 
 // Whether a call's result is still wanted. Thread safety: any thread.
@@ -57,12 +79,12 @@ class CallState {
   std::chrono::system_clock::time_point deadline_;
 };
 
-// Computes small batches at once and queues the others; `done(completed)` is called exactly once,
+// Does small work at once and queues the other; `done(completed)` is called exactly once,
 // here or by a compute thread, unless the queue or the memory is full: then the error says so and
-// `done` is not called. The evaluation's memory is charged for as long as its charge is kept. The
+// `done` is not called. The work's memory is charged for as long as its charge is kept. The
 // call is asked before each tile whether it is over; `state` must live until `done`.
-Outcome compute(const Backend& backend, const std::shared_ptr<Evaluation>& evaluation,
-                const CallState& state, std::function<void(bool completed)> done);
+Outcome compute(const Backend& backend, const std::shared_ptr<Work>& work, const CallState& state,
+                std::function<void(bool completed)> done);
 
 // How long a client that was refused for this should wait: some jobs are done by then.
 inline constexpr const char* kPushbackMilliseconds = "20";
@@ -71,13 +93,14 @@ inline constexpr const char* kFitPushbackMilliseconds = "1000";
 // One line a call, at level debug.
 struct AccessLine {
   const char* method;
+  const char* items_name;  // "pairs"
   std::string peer;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  std::size_t batches = 0, failed = 0, pairs = 0;
+  std::size_t batches = 0, failed = 0, items = 0;
   double kernel_seconds = 0;
 
-  AccessLine(const char* method_name, const grpc::CallbackServerContext& context,
-             const spdlog::logger& logger);
+  AccessLine(const char* method_name, const char* name_of_items,
+             const grpc::CallbackServerContext& context, const spdlog::logger& logger);
   void write(spdlog::logger& logger, const std::string& outcome) const;
 };
 

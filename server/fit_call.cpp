@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/happens_before.h"
 #include "server/fit_messages.h"
 #include "wire/status.h"
 
@@ -42,7 +43,7 @@ FitCall::FitCall(const Backend& backend, grpc::CallbackServerContext& context)
     : backend_(backend),
       context_(context),
       state_(std::min(context.deadline(), Clock::now() + backend.fits.longest)),
-      access_("Fit", context, backend.logger) {
+      access_("Fit", "pairs", context, backend.logger) {
   progress_.set_stage("queued");
 }
 
@@ -50,6 +51,7 @@ FitCall* FitCall::start(const Backend& backend, grpc::CallbackServerContext& con
                         const grpc::ByteBuffer& request) {
   const std::shared_ptr<FitCall> call(new FitCall(backend, context));
   call->self_ = call;
+  happens_before(&call->state_);
   if (const auto queued = call->enqueue(request); !queued) {
     call->end(std::nullopt, wire::to_status(queued.error()));
   } else {
@@ -102,7 +104,7 @@ Result<fit::FitResult> FitCall::fit() {
   const auto data = fit_data(request_, task_);
   if (!data) return data.error();
   request_.Clear();
-  access_.pairs = data->size();
+  access_.items = data->size();
   fit::Watch watch;
   watch.progress = [this](const fit::Progress& progress) { note(to_wire(progress)); };
   watch.stop = [this] { return state_.is_over(); };
@@ -144,12 +146,17 @@ void FitCall::tick() {
   }
   pump(true);
   // Weak: the alarm belongs to the call.
+  happens_before(&alarm_);
   alarm_.Set(Clock::now() + kInterval, [weak = weak_from_this()](bool) {
-    if (const auto call = weak.lock()) call->tick();
+    const auto call = weak.lock();
+    if (!call) return;
+    happens_after(&call->alarm_);
+    call->tick();
   });
 }
 
 void FitCall::OnWriteDone(bool ok) {
+  const Reaction reaction(this, &outgoing_);
   {
     const std::lock_guard lock(mutex_);
     writing_ = false;
@@ -159,8 +166,16 @@ void FitCall::OnWriteDone(bool ok) {
 }
 
 void FitCall::OnCancel() {
+  const Reaction reaction(this, &state_);
   state_.cancel();
   backend_.fits.queue.drop_over();
+}
+
+void FitCall::OnDone() {
+  happens_after(this);
+  const Backend& backend = backend_;
+  self_.reset();
+  backend.call_ends();
 }
 
 // One write at a time; the result goes with the end.
@@ -183,6 +198,8 @@ void FitCall::pump(bool progress_is_due) {
       writing_ = write = true;
     }
   }
+  happens_before(&outgoing_);
+  if (final) happens_before(this);
   if (final && write) return StartWriteAndFinish(&outgoing_, {}, *final);
   if (final) return Finish(*final);
   if (write) StartWrite(&outgoing_);

@@ -30,7 +30,7 @@ class FitCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
   FitCall(const Backend& backend, grpc::CallbackServerContext& context);
   void OnWriteDone(bool ok) override;
   void OnCancel() override;
-  void OnDone() override { self_.reset(); }
+  void OnDone() override;
 
   Outcome enqueue(const grpc::ByteBuffer& request);
   void run();

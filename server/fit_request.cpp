@@ -88,7 +88,7 @@ Result<std::shared_ptr<const MeasuredTable>> table_of(const v1::Material& measur
     if (error.message.rfind("material.", 0) == 0) error.message.replace(0, 8, "measured");
     return error;
   }
-  auto table = material->impl().table;
+  auto table = material->material().impl().table;
   if (!table) return not_measured("an analytic material");
   return table;
 }

@@ -11,23 +11,28 @@
 #include <string>
 #include <string_view>
 
-#include "engine/material.h"
+#include "server/prepared_material.h"
 
 namespace gonio {
 
 class MaterialCache {
  public:
-  [[nodiscard]] std::optional<Material> find(std::string_view bytes);
-  // Forgets the longest unused ones where there are too many; large ones are not kept at all.
-  void keep(std::string_view bytes, const Material& material);
+  [[nodiscard]] std::optional<PreparedMaterial> find(std::string_view bytes);
+  // Forgets the longest unused ones where there are too many, or they hold too much; large ones are
+  // not kept at all.
+  void keep(std::string_view bytes, const PreparedMaterial& material);
 
  private:
   static constexpr std::size_t kGeneration = 256;
   static constexpr std::size_t kMaxBytes = 4096;  // of a request's material
   static constexpr std::size_t kMaxMaterialBytes =
       64 << 10;  // of a prepared one; tables have a store of their own
+  // Of a generation with the samplers that were made since its materials came.
+  static constexpr std::size_t kMaxGenerationBytes = kGeneration * kMaxMaterialBytes;
 
-  using Generation = std::map<std::string, Material, std::less<>>;
+  using Generation = std::map<std::string, PreparedMaterial, std::less<>>;
+  static bool is_full(const Generation& generation);
+
   std::mutex mutex_;
   Generation young_, old_;  // what is found in the old one moves to the young one; a full young one
                             // becomes the old

@@ -131,7 +131,7 @@ std::vector<std::string> Materials::names() const {
   return names;
 }
 
-Result<Material> Materials::resolve(const std::optional<std::string>& bytes) const {
+Result<PreparedMaterial> Materials::resolve(const std::optional<std::string>& bytes) const {
   if (!bytes) return build({});
   if (auto known = cache_->find(*bytes)) return *known;
   const auto fit = wire::check_material_size(bytes->size());
@@ -145,11 +145,15 @@ Result<Material> Materials::resolve(const std::optional<std::string>& bytes) con
   return built;
 }
 
-Result<Material> Materials::build(const v1::Material& material) const {
+Result<PreparedMaterial> Materials::build(const v1::Material& material) const {
   const bool only_a_name = !material.name().empty() && material.model().empty() &&
                            !material.has_parameters() && !material.has_diffuse() &&
                            material.specular_size() == 0;
-  if (!only_a_name) return build_material(material, "material.", find_file_);
+  if (!only_a_name) {
+    auto built = build_material(material, "material.", find_file_);
+    if (!built) return built.error();
+    return PreparedMaterial(std::move(*built));
+  }
   const auto found = stored_.find(material.name());
   if (found != stored_.end()) return found->second;
   return bad_value("material.name", "\"" + material.name() + "\"",

@@ -36,13 +36,13 @@ class Materials {
 
   // The material that a request asks for, by the serialised gonio.v1.Material in it (none if it has
   // none). Errors name the field as "material....".
-  [[nodiscard]] Result<Material> resolve(const std::optional<std::string>& bytes) const;
+  [[nodiscard]] Result<PreparedMaterial> resolve(const std::optional<std::string>& bytes) const;
 
  private:
-  [[nodiscard]] Result<Material> build(const v1::Material& material) const;
+  [[nodiscard]] Result<PreparedMaterial> build(const v1::Material& material) const;
   Outcome add(const std::filesystem::path& folder, const std::filesystem::path& file);
 
-  std::map<std::string, Material, std::less<>> stored_;
+  std::map<std::string, PreparedMaterial, std::less<>> stored_;
   FindFile find_file_;
   // Stored materials never change, so that their names can be kept as well; files of this machine
   // may change.

@@ -2,23 +2,34 @@
 
 #include <utility>
 
+#include "server/evaluation.h"
 #include "server/fit_call.h"
+#include "server/integration.h"
 #include "server/list_models.h"
+#include "server/sampling.h"
 #include "server/stream_call.h"
 #include "server/unary_call.h"
 #include "wire/status.h"
 
+template class grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>;
+
 namespace gonio {
+
+Service::Service(const Backend& backend) : backend_(backend) { backend_.server_begins(); }
+
+Service::~Service() { backend_.server_ended(); }
 
 grpc::ServerUnaryReactor* Service::ListModels(grpc::CallbackServerContext* context,
                                               const v1::ListModelsRequest* request,
                                               v1::ListModelsResponse* response) {
+  backend_.call_begins();
   grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
-  const AccessLine access("ListModels", *context, backend_.logger);
+  const AccessLine access("ListModels", "models", *context, backend_.logger);
   auto listed = list_models(*request, backend_.materials);
   const grpc::Status status = listed ? grpc::Status::OK : wire::to_status(listed.error());
   if (listed) *response = std::move(*listed);
   access.write(backend_.logger, status.ok() ? "OK" : status.error_message());
+  backend_.call_ends();
   reactor->Finish(status);
   return reactor;
 }
@@ -26,16 +37,39 @@ grpc::ServerUnaryReactor* Service::ListModels(grpc::CallbackServerContext* conte
 grpc::ServerUnaryReactor* Service::Evaluate(grpc::CallbackServerContext* context,
                                             const grpc::ByteBuffer* request,
                                             grpc::ByteBuffer* response) {
-  return UnaryCall::start(backend_, *context, *request, *response);
+  backend_.call_begins();
+  return UnaryCall<Evaluation>::start(backend_, *context, *request, *response);
 }
 
 grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* Service::EvaluateStream(
     grpc::CallbackServerContext* context) {
-  return new StreamCall(backend_, *context);
+  backend_.call_begins();
+  return new StreamCall<Evaluation>(backend_, *context);
+}
+
+grpc::ServerUnaryReactor* Service::Sample(grpc::CallbackServerContext* context,
+                                          const grpc::ByteBuffer* request,
+                                          grpc::ByteBuffer* response) {
+  backend_.call_begins();
+  return UnaryCall<Sampling>::start(backend_, *context, *request, *response);
+}
+
+grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* Service::SampleStream(
+    grpc::CallbackServerContext* context) {
+  backend_.call_begins();
+  return new StreamCall<Sampling>(backend_, *context);
+}
+
+grpc::ServerUnaryReactor* Service::Integrate(grpc::CallbackServerContext* context,
+                                             const grpc::ByteBuffer* request,
+                                             grpc::ByteBuffer* response) {
+  backend_.call_begins();
+  return UnaryCall<Integration>::start(backend_, *context, *request, *response);
 }
 
 grpc::ServerWriteReactor<grpc::ByteBuffer>* Service::Fit(grpc::CallbackServerContext* context,
                                                          const grpc::ByteBuffer* request) {
+  backend_.call_begins();
   return FitCall::start(backend_, *context, *request);
 }
 

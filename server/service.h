@@ -1,5 +1,5 @@
-// The gRPC service: each handler translates, calls, translates. Evaluate and EvaluateStream take
-// raw bytes, so that the large arrays never become messages.
+// The gRPC service: each handler translates, calls, translates. All but ListModels take
+// raw bytes, so that large arrays never become messages.
 //
 // Thread safety: as gRPC calls it, from any thread.
 #pragma once
@@ -10,13 +10,19 @@
 namespace gonio {
 
 using WireService = v1::GonioService;
+// Those that do not take messages.
+using RawEvaluate = WireService::WithRawCallbackMethod_Evaluate<
+    WireService::WithRawCallbackMethod_EvaluateStream<WireService::Service>>;
+using RawSample = WireService::WithRawCallbackMethod_Sample<
+    WireService::WithRawCallbackMethod_SampleStream<RawEvaluate>>;
+using RawFit = WireService::WithRawCallbackMethod_Fit<RawSample>;
 using RawService = WireService::WithCallbackMethod_ListModels<
-    WireService::WithRawCallbackMethod_Evaluate<WireService::WithRawCallbackMethod_EvaluateStream<
-        WireService::WithRawCallbackMethod_Fit<WireService::Service>>>>;
+    WireService::WithRawCallbackMethod_Integrate<RawFit>>;
 
 class Service final : public RawService {
  public:
-  explicit Service(const Backend& backend) : backend_(backend) {}
+  explicit Service(const Backend& backend);
+  ~Service() override;  // the server that it was registered with has ended
 
   grpc::ServerUnaryReactor* ListModels(grpc::CallbackServerContext* context,
                                        const v1::ListModelsRequest* request,
@@ -28,6 +34,15 @@ class Service final : public RawService {
       grpc::CallbackServerContext* context) override;
   grpc::ServerWriteReactor<grpc::ByteBuffer>* Fit(grpc::CallbackServerContext* context,
                                                   const grpc::ByteBuffer* request) override;
+
+  grpc::ServerUnaryReactor* Sample(grpc::CallbackServerContext* context,
+                                   const grpc::ByteBuffer* request,
+                                   grpc::ByteBuffer* response) override;
+  grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* SampleStream(
+      grpc::CallbackServerContext* context) override;
+  grpc::ServerUnaryReactor* Integrate(grpc::CallbackServerContext* context,
+                                      const grpc::ByteBuffer* request,
+                                      grpc::ByteBuffer* response) override;
 
  private:
   Backend backend_;

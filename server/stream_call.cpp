@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "server/evaluation.h"
+#include "server/sampling.h"
 #include "wire/codec.h"
 #include "wire/status.h"
 
@@ -14,16 +16,20 @@ constexpr std::uint32_t kSlots = 256;
 
 }  // namespace
 
-StreamCall::StreamCall(const Backend& backend, grpc::CallbackServerContext& context)
+template <class W>
+StreamCall<W>::StreamCall(const Backend& backend, grpc::CallbackServerContext& context)
     : backend_(backend),
       state_(context.deadline()),
-      access_("EvaluateStream", context, backend.logger) {
+      access_(W::kStreamMethod, W::kItems, context, backend.logger) {
+  happens_before(&state_);
   pump();
 }
 
-void StreamCall::OnReadDone(bool ok) {
+template <class W>
+void StreamCall<W>::OnReadDone(bool ok) {
+  const Reaction reaction(this, &incoming_);
   if (!ok) return end_reading(grpc::Status::OK);
-  auto chunk = wire::decode_stream_request(incoming_);
+  auto chunk = wire::decode<Chunk>(incoming_);
   incoming_.Clear();
   // Without a sequence number there is no way to say which chunk was wrong.
   if (!chunk) return end_reading(wire::to_status(chunk.error()));
@@ -40,7 +46,8 @@ void StreamCall::OnReadDone(bool ok) {
   pump();
 }
 
-void StreamCall::end_reading(const grpc::Status& status) {
+template <class W>
+void StreamCall<W>::end_reading(const grpc::Status& status) {
   {
     const std::lock_guard lock(mutex_);
     reading_ = false;
@@ -50,7 +57,8 @@ void StreamCall::end_reading(const grpc::Status& status) {
   pump();
 }
 
-void StreamCall::handle(const wire::StreamRequest& chunk) {
+template <class W>
+void StreamCall<W>::handle(const Chunk& chunk) {
   const auto prepared = prepare(chunk);
   if (!prepared) return refuse(chunk.sequence, prepared.error(), 0);
   const std::size_t bytes = (*prepared)->bytes();
@@ -58,15 +66,17 @@ void StreamCall::handle(const wire::StreamRequest& chunk) {
     const std::lock_guard lock(mutex_);
     held_bytes_ += bytes;
   }
-  const auto done = [this, sequence = chunk.sequence, evaluation = *prepared,
-                     bytes](bool completed) { computed(sequence, *evaluation, bytes, completed); };
+  const auto done = [this, sequence = chunk.sequence, work = *prepared, bytes](bool completed) {
+    computed(sequence, *work, bytes, completed);
+  };
   const auto started = compute(backend_, *prepared, state_, done);
   if (!started) refuse(chunk.sequence, started.error(), bytes);
 }
 
 // A bad material makes its slot bad too: later chunks must not be answered with the material before
 // it.
-Result<Material> StreamCall::material_of(const wire::StreamRequest& chunk) {
+template <class W>
+Result<PreparedMaterial> StreamCall<W>::material_of(const Chunk& chunk) {
   if (chunk.slot >= kSlots) {
     return bad_value("slot", std::to_string(chunk.slot), "0 to " + std::to_string(kSlots - 1));
   }
@@ -78,32 +88,34 @@ Result<Material> StreamCall::material_of(const wire::StreamRequest& chunk) {
   }
   const auto known = slots_.find(chunk.slot);
   if (known != slots_.end()) return known->second;
-  return bad_value("evaluate.material",
-                   "not given, and slot " + std::to_string(chunk.slot) + " holds none",
+  return bad_value("material", "not given, and slot " + std::to_string(chunk.slot) + " holds none",
                    "a material with the first chunk of each slot");
 }
 
-Result<std::shared_ptr<Evaluation>> StreamCall::prepare(const wire::StreamRequest& chunk) {
+template <class W>
+Result<std::shared_ptr<W>> StreamCall<W>::prepare(const Chunk& chunk) {
   if (!chunk.request) return chunk.request.error();
   auto material = material_of(chunk);
   if (!material) return material.error();
-  return Evaluation::prepare(*chunk.request, std::move(*material), backend_.max_message_bytes);
+  return W::prepare(*chunk.request, std::move(*material), backend_.max_message_bytes);
 }
 
-void StreamCall::computed(std::uint64_t sequence, Evaluation& evaluation, std::size_t held_bytes,
-                          bool completed) {
-  Answer answer{{}, held_bytes, evaluation.take_charge()};
-  if (completed) answer.message = wire::encode_stream_response(sequence, evaluation.take_answer());
+template <class W>
+void StreamCall<W>::computed(std::uint64_t sequence, W& work, std::size_t held_bytes,
+                             bool completed) {
+  Answer answer{{}, held_bytes, work.take_charge()};
+  if (completed) answer.message = wire::encode_stream_response(sequence, work.take_answer());
   {
     const std::lock_guard lock(mutex_);
-    access_.pairs += evaluation.pairs();
-    access_.kernel_seconds += evaluation.kernel_seconds();
+    access_.items += work.items();
+    access_.kernel_seconds += work.kernel_seconds();
     if (!completed) die();
   }
   pump(std::move(answer));
 }
 
-void StreamCall::refuse(std::uint64_t sequence, const Error& error, std::size_t held_bytes) {
+template <class W>
+void StreamCall<W>::refuse(std::uint64_t sequence, const Error& error, std::size_t held_bytes) {
   {
     const std::lock_guard lock(mutex_);
     ++access_.failed;
@@ -111,7 +123,9 @@ void StreamCall::refuse(std::uint64_t sequence, const Error& error, std::size_t 
   pump(Answer{wire::encode_stream_error(sequence, wire::to_detail(error)), held_bytes});
 }
 
-void StreamCall::OnWriteDone(bool ok) {
+template <class W>
+void StreamCall<W>::OnWriteDone(bool ok) {
+  const Reaction reaction(this, &writing_now_);
   {
     const std::lock_guard lock(mutex_);
     writing_ = false;
@@ -123,7 +137,9 @@ void StreamCall::OnWriteDone(bool ok) {
   pump();
 }
 
-void StreamCall::OnCancel() {
+template <class W>
+void StreamCall<W>::OnCancel() {
+  const Reaction reaction(this, &state_);
   state_.cancel();
   {
     const std::lock_guard lock(mutex_);
@@ -132,8 +148,17 @@ void StreamCall::OnCancel() {
   pump();
 }
 
+template <class W>
+void StreamCall<W>::OnDone() {
+  happens_after(this);
+  const Backend& backend = backend_;
+  delete this;
+  backend.call_ends();
+}
+
 // A stream that lost answers must not end as if it were complete.
-void StreamCall::die() {
+template <class W>
+void StreamCall<W>::die() {
   if (finished_) return;
   dead_ = true;
   if (!final_.ok()) return;
@@ -142,7 +167,8 @@ void StreamCall::die() {
             "the stream was over before all of its batches were answered"};
 }
 
-void StreamCall::drop_answers() {
+template <class W>
+void StreamCall<W>::drop_answers() {
   for (const Answer& answer : ready_) held_bytes_ -= answer.held_bytes;
   in_flight_ -= ready_.size();
   ready_.clear();
@@ -151,7 +177,8 @@ void StreamCall::drop_answers() {
 // Starts whatever can be started: called after every event, a new answer being one. That is added
 // under the same lock that decides on what follows: a compute thread holds no reference to the
 // call, which may be over and deleted as soon as another thread finds the answer.
-void StreamCall::pump(std::optional<Answer> answer) {
+template <class W>
+void StreamCall<W>::pump(std::optional<Answer> answer) {
   bool read = false, write = false, finish = false;
   grpc::Status final;
   {
@@ -172,11 +199,21 @@ void StreamCall::pump(std::optional<Answer> answer) {
     finished_ = finished_ || finish;
     if (finish) final = final_;
   }
-  if (write) StartWrite(&writing_now_.message);
-  if (read) StartRead(&incoming_);
+  if (write) {
+    happens_before(&writing_now_);
+    StartWrite(&writing_now_.message);
+  }
+  if (read) {
+    happens_before(&incoming_);
+    StartRead(&incoming_);
+  }
   if (!finish) return;
   access_.write(backend_.logger, final.ok() ? "OK" : final.error_message());
+  happens_before(this);
   Finish(final);  // may delete this
 }
+
+template class StreamCall<Evaluation>;
+template class StreamCall<Sampling>;
 
 }  // namespace gonio

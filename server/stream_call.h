@@ -1,5 +1,5 @@
-// One EvaluateStream call: reads chunks, keeps a few of them in flight, writes the answers as they
-// get ready.
+// One streaming call, of which each chunk asks for work `W` (Evaluation or Sampling): reads chunks,
+// keeps a few of them in flight, writes the answers as they get ready.
 //
 // Made with new, it deletes itself when gRPC is done with it. Reads are one at a time, so what
 // belongs to reading (the slots) needs no lock; the rest is guarded by mutex_, which is never held
@@ -17,14 +17,21 @@
 #include <optional>
 
 #include "server/call.h"
+#include "wire/codec.h"
+
+// Instantiated once, in service.cpp.
+extern template class grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>;
 
 namespace gonio {
 
+template <class W>
 class StreamCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer> {
  public:
   StreamCall(const Backend& backend, grpc::CallbackServerContext& context);
 
  private:
+  using Chunk = wire::ChunkOf<typename W::Request>;
+
   // More chunks than this are left with gRPC, whose flow control then holds the client back.
   static constexpr std::size_t kMaxInFlight = 8;
 
@@ -37,14 +44,13 @@ class StreamCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   void OnReadDone(bool ok) override;
   void OnWriteDone(bool ok) override;
   void OnCancel() override;
-  void OnDone() override { delete this; }
+  void OnDone() override;
 
   void end_reading(const grpc::Status& status);
-  void handle(const wire::StreamRequest& chunk);
-  Result<Material> material_of(const wire::StreamRequest& chunk);
-  Result<std::shared_ptr<Evaluation>> prepare(const wire::StreamRequest& chunk);
-  void computed(std::uint64_t sequence, Evaluation& evaluation, std::size_t held_bytes,
-                bool completed);
+  void handle(const Chunk& chunk);
+  Result<PreparedMaterial> material_of(const Chunk& chunk);
+  Result<std::shared_ptr<W>> prepare(const Chunk& chunk);
+  void computed(std::uint64_t sequence, W& work, std::size_t held_bytes, bool completed);
   void refuse(std::uint64_t sequence, const Error& error, std::size_t held_bytes);
   void pump(std::optional<Answer> answer = std::nullopt);
   void die();           // mutex_ is held
@@ -53,7 +59,7 @@ class StreamCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   const Backend& backend_;
   CallState state_;
   AccessLine access_;
-  std::map<std::uint32_t, Result<Material>> slots_;
+  std::map<std::uint32_t, Result<PreparedMaterial>> slots_;
   grpc::ByteBuffer incoming_;
 
   std::mutex mutex_;

@@ -1,4 +1,5 @@
-// One Evaluate call. Made by start(), it deletes itself when gRPC is done with it.
+// One unary call. `W` is the work it asks for: Evaluation, Sampling or Integration. Made by
+// start(), it deletes itself when gRPC is done with it.
 #pragma once
 
 #include <grpcpp/support/byte_buffer.h>
@@ -10,6 +11,7 @@
 
 namespace gonio {
 
+template <class W>
 class UnaryCall final : public grpc::ServerUnaryReactor {
  public:
   static UnaryCall* start(const Backend& backend, grpc::CallbackServerContext& context,
@@ -19,11 +21,11 @@ class UnaryCall final : public grpc::ServerUnaryReactor {
   UnaryCall(const Backend& backend, grpc::CallbackServerContext& context,
             grpc::ByteBuffer& response);
   void handle(const grpc::ByteBuffer& request);
-  void answer(Evaluation& evaluation, bool completed);
+  void answer(W& work, bool completed);
   void refuse(const Error& error);
   void end(const grpc::Status& status);
-  void OnCancel() override { state_.cancel(); }
-  void OnDone() override { delete this; }
+  void OnCancel() override;
+  void OnDone() override;
 
   const Backend& backend_;
   grpc::CallbackServerContext& context_;

@@ -89,11 +89,15 @@ run_step() {
       export ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1
       sanitize asan numeric models measured engine wire server client cli ;;
     tsan)
-      # The core's own threads. Debian's gRPC is not built for this sanitizer, which sees none of the atomics by which it hands
-      # a call from one thread to another: all that passes through one, or is torn down after one, looks like a race, also
-      # where no frame of gRPC is in sight that could be suppressed.
+      # Debian's gRPC is not built for this sanitizer, which therefore sees none of the atomics by which it hands something from
+      # one thread to another. What gRPC guarantees is stated where it matters (base/happens_before.h), and its headers' part of
+      # the server's calls is not instrumented (server/CMakeLists.txt). What remains is the C library, called from gRPC's
+      # libraries: the server's and the client's tests leave what memcpy, free and their like touch unchecked, from our code
+      # too, for the sanitizer cannot tell the two apart. No report is suppressed.
       export TSAN_OPTIONS=second_deadlock_stack=1
-      sanitize tsan engine ;;
+      sanitize tsan engine wire
+      TSAN_OPTIONS+=:ignore_noninstrumented_modules=1
+      sanitize tsan server client ;;
     format) say "clang-format"; tests/style/format.sh; count "clang-format" $? ;;
     tidy) say "clang-tidy"; tests/style/tidy.py build/release; count "clang-tidy" $? ;;
   esac

@@ -18,6 +18,8 @@ struct Command {
 
 Command add_models_command(CLI::App& app);
 Command add_evaluate_command(CLI::App& app);
+Command add_sample_command(CLI::App& app);
+Command add_albedo_command(CLI::App& app);
 Command add_lobe_command(CLI::App& app);
 Command add_render_command(CLI::App& app);
 Command add_fit_command(CLI::App& app);

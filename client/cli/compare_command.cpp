@@ -37,7 +37,9 @@ struct CompareArguments {
 Result<Material> build(const Materials& materials, const std::string& argument) {
   const auto material = read_material(argument, true);
   if (!material) return material.error();
-  return materials.resolve(material->wire());
+  auto built = materials.resolve(material->wire());
+  if (!built) return built.error();
+  return built->material();
 }
 
 Result<fit::Data> read_reference(const CompareArguments& arguments, const Materials& materials) {
@@ -46,7 +48,7 @@ Result<fit::Data> read_reference(const CompareArguments& arguments, const Materi
   if (input->measured) {
     const auto material = materials.resolve(input->measured->wire());
     if (!material) return material.error();
-    return fit::from_table(*material->impl().table);
+    return fit::from_table(*material->material().impl().table);
   }
   const auto wide = [](const std::vector<float>& x) {
     return std::vector<double>(x.begin(), x.end());

@@ -2,6 +2,7 @@
 #include <array>
 #include <deque>
 #include <numbers>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -16,26 +17,35 @@ namespace {
 constexpr std::array<std::string_view, 6> kDirections = {"wi_x", "wi_y", "wi_z",
                                                          "wo_x", "wo_y", "wo_z"};
 constexpr std::array<std::string_view, 4> kAngles = {"theta_i", "phi_i", "theta_o", "phi_o"};
-constexpr const char* kHeaders =
-    "a header with the columns wi_x,wi_y,wi_z,wo_x,wo_y,wo_z or theta_i,phi_i,theta_o,phi_o";
+const char* headers_of(InputKind what) {
+  return what == InputKind::pairs ? "a header with the columns wi_x,wi_y,wi_z,wo_x,wo_y,wo_z or "
+                                    "theta_i,phi_i,theta_o,phi_o"
+                                  : "a header with the columns wi_x,wi_y,wi_z or theta_i,phi_i";
+}
 constexpr std::size_t kUnused = 99;  // a column that is not ours
+
+// The first half of the names is that of wi.
+std::span<const std::string_view> names_of(std::span<const std::string_view> all, InputKind what) {
+  return what == InputKind::pairs ? all : all.first(all.size() / 2);
+}
 
 // Which of our numbers each column of the file holds.
 struct Layout {
   std::vector<std::size_t> targets;  // by column; kUnused for what is not ours
   std::vector<std::string> names;    // by column
   bool angles = false;
+  InputKind what = InputKind::pairs;
 };
 
-Error header_error(const ByteSource& source, const std::string& what, std::string_view found) {
+Error header_error(const ByteSource& source, const std::string& problem, std::string_view found,
+                   InputKind what) {
   const std::string name(found.substr(0, 100));
   return {ErrorCode::invalid_argument,
-          source.name() + ":1: " + what + ", found '" + name + "'; allowed: " + kHeaders, "--pairs",
-          name, kHeaders};
+          source.name() + ":1: " + problem + ", found '" + name + "'; allowed: " + headers_of(what),
+          argument_of(what), name, headers_of(what)};
 }
 
-template <std::size_t N>
-bool assign(const std::array<std::string_view, N>& wanted, Layout& layout) {
+bool assign(std::span<const std::string_view> wanted, Layout& layout) {
   for (const std::string& name : layout.names) {
     const auto found = std::find(wanted.begin(), wanted.end(), name);
     layout.targets.push_back(
@@ -46,12 +56,13 @@ bool assign(const std::array<std::string_view, N>& wanted, Layout& layout) {
   });
 }
 
-Result<Layout> read_header(ByteSource& source) {
+Result<Layout> read_header(ByteSource& source, InputKind what) {
   auto line = source.line();
   if (!line) return line.error();
   if (!*line) {
-    return Error{ErrorCode::invalid_argument, source.name() + " is empty; allowed: " + kHeaders,
-                 "--pairs", "empty", kHeaders};
+    return Error{ErrorCode::invalid_argument,
+                 source.name() + " is empty; allowed: " + headers_of(what), argument_of(what),
+                 "empty", headers_of(what)};
   }
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   std::string_view rest = **line;
@@ -59,12 +70,13 @@ Result<Layout> read_header(ByteSource& source) {
   const std::string text(rest);
   rest = text;
   Layout layout;
+  layout.what = what;
   for (bool more = true; more;) layout.names.emplace_back(next_field(rest, more));
-  if (assign(kDirections, layout)) return layout;
+  if (assign(names_of(kDirections, what), layout)) return layout;
   layout.targets.clear();
   layout.angles = true;
-  if (assign(kAngles, layout)) return layout;
-  return header_error(source, "the header lacks a column or has one twice", text);
+  if (assign(names_of(kAngles, what), layout)) return layout;
+  return header_error(source, "the header lacks a column or has one twice", text, what);
 }
 
 template <class T>
@@ -85,8 +97,9 @@ class CsvInput final : public PairInput<T> {
       if (!*line) break;
       ++line_number_;
       if (trimmed(**line).empty()) continue;
-      auto read = layout_.angles ? read_angles(**line, &wi[3 * pairs], &wo[3 * pairs])
-                                 : read_directions(**line, &wi[3 * pairs], &wo[3 * pairs]);
+      const auto to = wi.subspan(3 * pairs, 3), other = has_wo() ? wo.subspan(3 * pairs, 3) : wo;
+      auto read =
+          layout_.angles ? read_angles(**line, to, other) : read_directions(**line, to, other);
       if (!read) return read.error();
       ++pairs;
     }
@@ -126,20 +139,22 @@ class CsvInput final : public PairInput<T> {
     return Ok{};
   }
 
-  Outcome read_directions(std::string_view line, T* wi, T* wo) {
+  [[nodiscard]] bool has_wo() const { return layout_.what == InputKind::pairs; }
+
+  Outcome read_directions(std::string_view line, std::span<T> wi, std::span<T> wo) {
     std::array<T, 6> numbers{};
     if (auto read = read_fields(line, numbers.data()); !read) return read;
-    std::copy_n(numbers.begin(), 3, wi);
-    std::copy_n(numbers.begin() + 3, 3, wo);
+    std::copy_n(numbers.begin(), 3, wi.begin());
+    if (has_wo()) std::copy_n(numbers.begin() + 3, 3, wo.begin());
     return Ok{};
   }
 
-  Outcome read_angles(std::string_view line, T* wi, T* wo) {
+  Outcome read_angles(std::string_view line, std::span<T> wi, std::span<T> wo) {
     std::array<double, 4> angles{};
     if (auto read = read_fields(line, angles.data()); !read) return read;
     if (keep_angles_) angles_.push_back(angles);
-    direction_at(angles[0] * unit_, angles[1] * unit_, wi);
-    direction_at(angles[2] * unit_, angles[3] * unit_, wo);
+    direction_at(angles[0] * unit_, angles[1] * unit_, wi.data());
+    if (has_wo()) direction_at(angles[2] * unit_, angles[3] * unit_, wo.data());
     return Ok{};
   }
 
@@ -157,7 +172,7 @@ class CsvInput final : public PairInput<T> {
     return {ErrorCode::invalid_argument,
             where() + ": " + (more ? "more than the " : "fewer than the ") + most +
                 " columns of the header" + (more ? "" : " (" + std::to_string(columns) + ")"),
-            "--pairs", std::to_string(columns), most};
+            argument_of(layout_.what), std::to_string(columns), most};
   }
 
   [[nodiscard]] std::string where() const {
@@ -175,15 +190,16 @@ class CsvInput final : public PairInput<T> {
 }  // namespace
 
 template <class T>
-Result<std::unique_ptr<PairInput<T>>> open_csv(ByteSource source, bool degrees, bool keep_angles) {
-  auto layout = read_header(source);
+Result<std::unique_ptr<PairInput<T>>> open_csv(InputKind what, ByteSource source, bool degrees,
+                                               bool keep_angles) {
+  auto layout = read_header(source, what);
   if (!layout) return layout.error();
   std::unique_ptr<PairInput<T>> input = std::make_unique<CsvInput<T>>(
       std::move(source), std::move(layout).value(), degrees, keep_angles);
   return input;
 }
 
-template Result<std::unique_ptr<PairInput<float>>> open_csv(ByteSource, bool, bool);
-template Result<std::unique_ptr<PairInput<double>>> open_csv(ByteSource, bool, bool);
+template Result<std::unique_ptr<PairInput<float>>> open_csv(InputKind, ByteSource, bool, bool);
+template Result<std::unique_ptr<PairInput<double>>> open_csv(InputKind, ByteSource, bool, bool);
 
 }  // namespace gonio::cli

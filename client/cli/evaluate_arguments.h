@@ -4,31 +4,21 @@
 #include <string>
 
 #include "base/result.h"
-#include "client/cli/connection.h"
-#include "client/cli/result_writer.h"
-#include "client/types.h"
+#include "client/cli/common_arguments.h"
 
 namespace gonio::cli {
 
-struct EvaluateArguments {
-  ConnectionOptions connection;
-  std::string material;
+struct EvaluateArguments : CommonArguments {
   std::string pairs;  // a file or "-"; empty with a grid
   std::string grid;
-  std::string precision = "fast";
-  std::string isa = "auto";
-  std::string format;  // empty: by the output's extension
-  std::string output = "-";
   bool degrees = false;
   bool with_input = false;
-  bool quiet = false;
-  bool verbose = false;
+  bool pdf = false;
 };
 
 void add_evaluate_options(CLI::App& command, EvaluateArguments& arguments);
 
-// The format asked for, or that of the output's extension, or CSV. Errors: what does not go
-// together.
-Result<Format> chosen_format(const EvaluateArguments& arguments);
+// The format of the results. Errors: what does not go together.
+Result<Format> checked_format(const EvaluateArguments& arguments);
 
 }  // namespace gonio::cli

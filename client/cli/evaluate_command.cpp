@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "client/cli/commands.h"
 #include "client/cli/evaluate_arguments.h"
@@ -33,7 +34,8 @@ struct Input {
       input.grid = std::move(grid).value();
       return input;
     }
-    auto pairs = open_pairs<T>(arguments.pairs, arguments.degrees, arguments.with_input);
+    auto pairs =
+        open_pairs<T>(InputKind::pairs, arguments.pairs, arguments.degrees, arguments.with_input);
     if (!pairs) return pairs.error();
     input.pairs = std::move(pairs).value();
     return input;
@@ -54,18 +56,33 @@ struct Input {
   }
 };
 
+// One column a channel, and the pdf if there is one.
+Table table_of(bool with_pdf) {
+  Table table;
+  table.is_mixed = with_pdf;
+  table.columns = [with_pdf](int channels) {
+    auto names = channel_names("f", channels);
+    if (with_pdf) names.emplace_back("pdf");
+    return names;
+  };
+  return table;
+}
+
+// The results as rows; `buffer` holds those that must be put together.
 template <class T>
-std::unique_ptr<ResultWriter<T>> make_writer(Format format, OutputFile& output,
-                                             const Input<T>& input, bool with_input) {
-  switch (format) {
-    case Format::json:
-      return json_writer<T>(output);
-    case Format::npy:
-      return npy_writer<T>(output, input.total());
-    case Format::csv:
-      break;
+Rows<T> rows_of(const client::Chunk<T, T>& chunk, std::vector<T>& buffer) {
+  Rows<T> rows{chunk.first, chunk.pairs, chunk.channels, chunk.values,
+               chunk.flags, chunk.wi,    chunk.wo};
+  if (chunk.pdf.empty()) return rows;
+  buffer.clear();
+  const auto channels = static_cast<std::size_t>(chunk.channels);
+  for (std::size_t i = 0; i < chunk.pairs; ++i) {
+    const auto values = chunk.values.subspan(i * channels, channels);
+    buffer.insert(buffer.end(), values.begin(), values.end());
+    buffer.push_back(chunk.pdf[i]);
   }
-  return csv_writer<T>(output, input.columns(with_input));
+  rows.numbers = buffer;
+  return rows;
 }
 
 template <class T>
@@ -74,14 +91,15 @@ Result<client::Report> evaluate(const client::Client& client, const client::Mate
                                 ResultWriter<T>& writer) {
   // Not among the results of the same terminal.
   const bool on_terminal = arguments.output == "-" && ::isatty(STDOUT_FILENO) != 0;
-  Progress progress(!arguments.quiet && !on_terminal);
+  Progress progress(!arguments.quiet && !on_terminal, "pairs");
+  std::vector<T> buffer;
   const client::ChunkSink<T, T> sink = [&](const client::Chunk<T, T>& chunk) {
     const std::uint64_t done = chunk.first + chunk.pairs;
     progress.update(done, input.progress(done));
-    return writer.write(chunk);
+    return writer.write(rows_of(chunk, buffer));
   };
-  client::EvaluateOptions options;
-  options.instruction_set = client::instruction_set_of(arguments.isa).value();
+  client::EvaluateOptions options = arguments.evaluate_options();
+  options.pdf = arguments.pdf;
   if (input.grid) return client.evaluate_chunks<T>(material, input.grid->grid, sink, options);
   const client::PairSource<T> source = [&](std::span<T> wi, std::span<T> wo) {
     return input.pairs->read(wi, wo);
@@ -91,7 +109,7 @@ Result<client::Report> evaluate(const client::Client& client, const client::Mate
 
 template <class T>
 int run(const EvaluateArguments& arguments) {
-  auto format = chosen_format(arguments);
+  auto format = checked_format(arguments);
   if (!format) return fail(format.error());
   auto material = read_material(arguments.material, arguments.connection.server.empty());
   if (!material) return fail(material.error());
@@ -103,14 +121,15 @@ int run(const EvaluateArguments& arguments) {
   if (!output) return fail(output.error());
 
   const auto start = std::chrono::steady_clock::now();
-  const auto writer = make_writer(*format, *output, *input, arguments.with_input);
+  const auto writer = make_writer<T>(*format, *output, table_of(arguments.pdf), input->total(),
+                                     input->columns(arguments.with_input));
   auto result = evaluate(connection->client, *material, arguments, *input, *writer);
   Outcome written = result ? writer->finish(*result) : Outcome(result.error());
   if (written) written = output->commit();
   if (output->reader_gone()) return exit_ok;
   if (!written) return fail(written.error());
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  print_summary(*result, taken.count(), arguments.quiet, arguments.verbose);
+  print_summary(*result, "pairs", taken.count(), arguments.quiet, arguments.verbose);
   return exit_ok;
 }
 
@@ -122,8 +141,7 @@ Command add_evaluate_command(CLI::App& app) {
       app.add_subcommand("evaluate", "Evaluate a material for pairs of directions or a grid");
   add_evaluate_options(*command, *arguments);
   return {command, [arguments] {
-            return arguments->precision == "reference" ? run<double>(*arguments)
-                                                       : run<float>(*arguments);
+            return arguments->is_reference() ? run<double>(*arguments) : run<float>(*arguments);
           }};
 }
 

@@ -10,7 +10,7 @@
 #include "client/cli/exit_codes.h"
 #include "client/cli/fit_arguments.h"
 #include "client/cli/fit_table.h"
-#include "client/cli/json_text.h"
+#include "client/cli/json.h"
 #include "client/cli/measured_input.h"
 #include "client/cli/output_file.h"
 #include "client/cli/progress.h"
@@ -31,7 +31,7 @@ double part_before(const std::string& stage) {
 Result<std::vector<NamedFit>> fit_all(const client::Client& client, const client::FitData& data,
                                       const std::vector<FitForm>& forms,
                                       const FitArguments& arguments) {
-  Progress progress(!arguments.quiet);
+  Progress progress(!arguments.quiet, "fits");
   std::vector<NamedFit> fits;
   for (const FitForm& form : forms) {
     const auto done = static_cast<double>(fits.size()), count = static_cast<double>(forms.size());

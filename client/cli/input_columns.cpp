@@ -13,9 +13,9 @@ char* put_field(char* out, T value) {
 }
 
 template <class T>
-char* put_directions(char* out, const client::Chunk<T, T>& chunk, std::size_t i) {
-  for (std::size_t c = 0; c < 3; ++c) out = put_field(out, chunk.wi[3 * i + c]);
-  for (std::size_t c = 0; c < 3; ++c) out = put_field(out, chunk.wo[3 * i + c]);
+char* put_directions(char* out, const Rows<T>& rows, std::size_t i) {
+  for (std::size_t c = 0; c < 3; ++c) out = put_field(out, rows.wi[3 * i + c]);
+  for (std::size_t c = 0; c < 3; ++c) out = put_field(out, rows.wo[3 * i + c]);
   return out;
 }
 
@@ -23,9 +23,9 @@ char* put_directions(char* out, const client::Chunk<T, T>& chunk, std::size_t i)
 
 template <class T>
 InputColumns<T> grid_columns(const GridSpec& spec) {
-  return {spec.names, [&spec](char* out, const client::Chunk<T, T>& chunk, std::size_t i) {
+  return {spec.names, [&spec](char* out, const Rows<T>& rows, std::size_t i) {
             std::uint64_t inner = *spec.grid.size();
-            std::uint64_t rest = chunk.first + i;
+            std::uint64_t rest = rows.first + i;
             for (const std::vector<double>& axis : spec.given) {
               inner /= axis.size();
               out = put_field(out, axis[rest / inner]);
@@ -37,9 +37,9 @@ InputColumns<T> grid_columns(const GridSpec& spec) {
 
 template <class T>
 InputColumns<T> pair_columns(PairInput<T>& input) {
-  return {input.columns(), [&input](char* out, const client::Chunk<T, T>& chunk, std::size_t i) {
+  return {input.columns(), [&input](char* out, const Rows<T>& rows, std::size_t i) {
             const auto angles = input.take_angles();
-            if (!angles) return put_directions(out, chunk, i);
+            if (!angles) return put_directions(out, rows, i);
             for (const double angle : *angles) out = put_field(out, angle);
             return out;
           }};

@@ -1,51 +1,29 @@
-#include <google/protobuf/util/json_util.h>
-#include <google/protobuf/wrappers.pb.h>
-
 #include <cmath>
+#include <utility>
 
+#include "client/cli/json.h"
 #include "client/cli/numbers.h"
 #include "client/cli/result_writer.h"
 
 namespace gonio::cli {
 namespace {
 
-std::string json_string(std::string_view text) {
-  google::protobuf::StringValue value;
-  value.set_value(std::string(text));
-  std::string json;
-  return google::protobuf::util::MessageToJsonString(value, &json).ok() ? json : "\"\"";
-}
-
-std::string report_json(const client::Report& report) {
-  std::string json = "{\"pairs\": " + std::to_string(report.pairs);
-  json += ", \"kernel_seconds\": " + shortest(report.kernel_seconds);
-  json += ", \"instruction_set\": " + json_string(name_of(report.instruction_set));
-  json += ", \"precision\": " + json_string(name_of(report.precision));
-  json += ", \"error_bound\": {\"relative\": " + shortest(report.error_bound.relative) +
-          ", \"above\": " + shortest(report.error_bound.above) +
-          ", \"cosine\": " + shortest(report.error_bound.cosine) +
-          ", \"note\": " + json_string(report.error_bound.note) + "}";
-  json += ", \"flagged\": " + std::to_string(report.flagged);
-  return json + ", \"retries\": " + std::to_string(report.retries) + "}";
-}
-
 template <class T>
 class JsonWriter final : public ResultWriter<T> {
  public:
-  explicit JsonWriter(OutputFile& output) : output_(output) {}
+  JsonWriter(OutputFile& output, Table table) : output_(output), table_(std::move(table)) {}
 
-  Outcome write(const client::Chunk<T, T>& chunk) override {
+  Outcome write(const Rows<T>& rows) override {
     text_.clear();
-    begin(chunk.channels);
-    const auto channels = static_cast<std::size_t>(chunk.channels);
-    for (std::size_t i = 0; i < chunk.pairs; ++i) {
+    begin(rows.channels);
+    for (std::size_t i = 0; i < rows.count; ++i) {
       text_ += flags_.empty() ? "\n[" : ",\n[";
-      for (std::size_t c = 0; c < channels; ++c) {
+      for (std::size_t c = 0; c < columns_; ++c) {
         if (c > 0) text_ += ", ";
-        add_number(chunk.values[i * channels + c]);
+        add_number(rows.numbers[i * columns_ + c]);
       }
       text_ += ']';
-      flags_ += static_cast<char>(chunk.flags[i]);
+      flags_ += static_cast<char>(rows.flags[i]);
     }
     return output_.write(text_);
   }
@@ -58,7 +36,7 @@ class JsonWriter final : public ResultWriter<T> {
       if (i > 0) text_ += ", ";
       text_ += std::to_string(static_cast<unsigned char>(flags_[i]));
     }
-    text_ += "],\n\"report\": " + report_json(report) + "}\n";
+    text_ += "],\n\"report\": " + report_json(report, table_.of_samples) + "}\n";
     return output_.write(text_);
   }
 
@@ -66,7 +44,17 @@ class JsonWriter final : public ResultWriter<T> {
   void begin(int channels) {
     if (begun_) return;
     begun_ = true;
-    text_ += "{\"channels\": " + std::to_string(channels) + ",\n\"values\": [";
+    const auto columns = table_.columns(channels);
+    columns_ = columns.size();
+    text_ += "{\"channels\": " + std::to_string(channels) + ",\n";
+    if (table_.is_mixed) {
+      text_ += "\"columns\": [";
+      for (const std::string& name : columns) {
+        text_ += (&name == &columns.front() ? "" : ", ") + json_string(name);
+      }
+      text_ += "],\n";
+    }
+    text_ += table_.of_samples ? "\"samples\": [" : "\"values\": [";
   }
 
   void add_number(T value) {
@@ -79,19 +67,21 @@ class JsonWriter final : public ResultWriter<T> {
   }
 
   OutputFile& output_;
+  Table table_;
   std::string text_;
-  std::string flags_;  // one byte a pair, until the values are written
+  std::string flags_;  // one byte a row, until the rows are written
+  std::size_t columns_ = 0;
   bool begun_ = false;
 };
 
 }  // namespace
 
 template <class T>
-std::unique_ptr<ResultWriter<T>> json_writer(OutputFile& output) {
-  return std::make_unique<JsonWriter<T>>(output);
+std::unique_ptr<ResultWriter<T>> json_writer(OutputFile& output, Table table) {
+  return std::make_unique<JsonWriter<T>>(output, std::move(table));
 }
 
-template std::unique_ptr<ResultWriter<float>> json_writer(OutputFile&);
-template std::unique_ptr<ResultWriter<double>> json_writer(OutputFile&);
+template std::unique_ptr<ResultWriter<float>> json_writer(OutputFile&, Table);
+template std::unique_ptr<ResultWriter<double>> json_writer(OutputFile&, Table);
 
 }  // namespace gonio::cli

@@ -25,6 +25,8 @@ Examples:
   gonio evaluate --material '{"model": "lambertian", "parameters": {"rd": 0.5}}' \
       --grid theta_i=30,theta_o=0:80:9 --deg
   gonio evaluate --material gold.json --pairs pairs.csv -o values.npy -v
+  gonio sample --material gold.json --wi 0.6,0,0.8 --count 1000
+  gonio albedo --material gold.json --theta 0,30,60
   gonio render --material gold.json --light sky -o gold.png
   gonio lobe --material gold.json --theta 30,60,80 -o lobe.png
   gonio fit --data nickel.binary --model cook_torrance -o nickel.json
@@ -44,6 +46,7 @@ int main(int argc, char** argv) try {
   app.require_subcommand(1);
   app.get_formatter()->column_width(30);
   const auto commands = {gonio::cli::add_models_command(app), gonio::cli::add_evaluate_command(app),
+                         gonio::cli::add_sample_command(app), gonio::cli::add_albedo_command(app),
                          gonio::cli::add_lobe_command(app),   gonio::cli::add_render_command(app),
                          gonio::cli::add_fit_command(app),    gonio::cli::add_compare_command(app)};
   try {

@@ -1,7 +1,8 @@
-// Pairs of directions from a file: CSV or NPY, told apart by their first bytes. Thread safety: used
-// by one thread.
+// Pairs of directions, or directions wi alone, from a file: CSV or NPY, told apart by their first
+// bytes. Thread safety: used by one thread.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -15,6 +16,15 @@
 
 namespace gonio::cli {
 
+// What a file gives, and the argument that names it.
+enum class InputKind : std::uint8_t {
+  wi,     // --wi-file
+  pairs,  // --pairs
+};
+inline const char* argument_of(InputKind what) {
+  return what == InputKind::pairs ? "--pairs" : "--wi-file";
+}
+
 // T is float or double: what the evaluation takes.
 template <class T>
 class PairInput {
@@ -22,7 +32,8 @@ class PairInput {
   virtual ~PairInput() = default;
 
   // Fills in the next pairs (interleaved xyz) as far as there are any, and returns their number.
-  // Errors name file, line, column and value.
+  // `wo` is left alone where the input is of InputKind::wi. Errors name file, line, column and
+  // value.
   virtual Result<std::size_t> read(std::span<T> wi, std::span<T> wo) = 0;
 
   // The number of pairs, where it is known beforehand.
@@ -41,13 +52,14 @@ class PairInput {
 // "-" is standard input. `degrees`: angles are in degrees. `keep_angles`: take_angles() is going to
 // be called.
 template <class T>
-Result<std::unique_ptr<PairInput<T>>> open_pairs(const std::string& file, bool degrees,
-                                                 bool keep_angles);
+Result<std::unique_ptr<PairInput<T>>> open_pairs(InputKind what, const std::string& file,
+                                                 bool degrees, bool keep_angles);
 
 // The two formats; open_pairs() chooses.
 template <class T>
-Result<std::unique_ptr<PairInput<T>>> open_csv(ByteSource source, bool degrees, bool keep_angles);
+Result<std::unique_ptr<PairInput<T>>> open_csv(InputKind what, ByteSource source, bool degrees,
+                                               bool keep_angles);
 template <class T>
-Result<std::unique_ptr<PairInput<T>>> open_npy(ByteSource source);
+Result<std::unique_ptr<PairInput<T>>> open_npy(InputKind what, ByteSource source);
 
 }  // namespace gonio::cli

@@ -23,8 +23,8 @@ std::string bar(double done) {
 
 }  // namespace
 
-Progress::Progress(bool wanted)
-    : shown_(wanted && ::isatty(STDERR_FILENO) != 0), next_(start_ + kPatience) {}
+Progress::Progress(bool wanted, const char* items)
+    : shown_(wanted && ::isatty(STDERR_FILENO) != 0), items_(items), next_(start_ + kPatience) {}
 
 Progress::~Progress() {
   if (drawn_) std::fputs("\r\x1b[K", stderr);
@@ -38,18 +38,19 @@ bool Progress::is_due() {
   return true;
 }
 
-void Progress::update(std::uint64_t pairs, std::optional<double> fraction) {
+void Progress::update(std::uint64_t done, std::optional<double> fraction) {
   if (!is_due()) return;
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  const double rate = static_cast<double>(pairs) / seconds * 1e-6;
+  const double rate = static_cast<double>(done) / seconds * 1e-6;
   if (!fraction) {
-    std::fprintf(stderr, "\r\x1b[K%.1f M pairs, %.1f M pairs/s", static_cast<double>(pairs) * 1e-6,
-                 rate);
+    std::fprintf(stderr, "\r\x1b[K%.1f M %s, %.1f M %s/s", static_cast<double>(done) * 1e-6, items_,
+                 rate, items_);
     return;
   }
-  const double done = std::clamp(*fraction, 0.0, 1.0);
-  const double left = done > 0 ? seconds / done - seconds : 0;
-  std::fprintf(stderr, "\r\x1b[K%s, %.1f M pairs/s, %.0f s left", bar(done).c_str(), rate, left);
+  const double part = std::clamp(*fraction, 0.0, 1.0);
+  const double left = part > 0 ? seconds / part - seconds : 0;
+  std::fprintf(stderr, "\r\x1b[K%s, %.1f M %s/s, %.0f s left", bar(part).c_str(), rate, items_,
+               left);
 }
 
 void Progress::show(double fraction, const std::string& text) {

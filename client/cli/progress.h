@@ -11,14 +11,15 @@ namespace gonio::cli {
 
 class Progress {
  public:
-  explicit Progress(bool wanted);
+  // `items`: what is counted, such as "pairs".
+  Progress(bool wanted, const char* items);
   ~Progress();  // takes the bar away
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   // `fraction` done, 0 to 1, where that is known. Draws a few times a second at most.
-  void update(std::uint64_t pairs, std::optional<double> fraction);
-  // The same for what is no number of pairs: `text` says what goes on.
+  void update(std::uint64_t done, std::optional<double> fraction);
+  // The same for what is not counted: `text` says what goes on.
   void show(double fraction, const std::string& text);
 
  private:
@@ -26,6 +27,7 @@ class Progress {
   bool is_due();
 
   bool shown_;
+  const char* items_;
   bool drawn_ = false;
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_;

@@ -13,6 +13,7 @@ namespace gonio::cli {
 namespace {
 
 using render::ShapeKind;
+using render::Technique;
 using render::Vec3;
 
 constexpr int kMostSamples = 65536;
@@ -34,8 +35,8 @@ Lights:
                middle what the camera looks at. NaN, infinite and negative texels are refused
 
 Direct light only, by Monte Carlo: SPP samples a pixel, each with one direction drawn from the light and, for
-maps and the sky, one from the cosine-weighted hemisphere. The same seed gives the same picture, whatever the
-threads. Materials of 1 channel (grey) or 3 (red, green, blue: Rec. 709, linear).
+maps and the sky, one drawn by the service for the material; --sampling leaves one of them out. The same seed
+gives the same picture, whatever the threads. Materials of 1 channel (grey) or 3 (red, green, blue: Rec. 709, linear).
 
 Output: .png, 8 bits, sRGB, exposed; .exr, float32, linear radiance, without exposure. The file is written as a
 whole or not at all.
@@ -128,6 +129,9 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
       "A constant radiance; else 0.05, and for sky and maps what they show there");
   add("--exposure", arguments.exposure, "EV",
       "Stops, for PNG: the radiance 2^-EV becomes white; -32 to 32, 0 if not given");
+  add("--sampling", arguments.sampling, "S",
+      "Draw directions from both (the default), the light, or the surface")
+      ->check(CLI::IsMember({"both", "light", "surface"}).description(""));
   add("--seed", arguments.seed, "S", "Of the samples, 0 to 4294967295; 0 if not given");
   add("-o,--output", arguments.output, "OUT", "The picture: a file that ends in .png or .exr")
       ->required();
@@ -150,6 +154,9 @@ Result<RenderPlan> RenderPlan::of(const RenderArguments& arguments) {
   plan.shape = arguments.shape == "cylinder" ? ShapeKind::cylinder
                : arguments.shape == "plane"  ? ShapeKind::plane
                                              : ShapeKind::sphere;
+  plan.technique = arguments.sampling == "light"     ? Technique::light
+                   : arguments.sampling == "surface" ? Technique::surface
+                                                     : Technique::both;
   plan.format = *format;
   plan.size = *size;
   plan.samples = static_cast<int>(arguments.samples);

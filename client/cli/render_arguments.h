@@ -10,6 +10,7 @@
 #include "client/cli/connection.h"
 #include "client/cli/picture.h"
 #include "client/render/camera.h"
+#include "client/render/integrator.h"
 #include "client/render/light.h"
 #include "client/render/shape.h"
 
@@ -27,6 +28,7 @@ struct RenderArguments {
   render::View view;
   double exposure = 0;
   std::optional<double> background;
+  std::string sampling = "both";  // light, surface
   std::uint32_t seed = 0;
   std::string output;
   bool quiet = false;
@@ -41,6 +43,7 @@ struct RenderPlan {
   PictureSize size;
   PictureFormat format = PictureFormat::png;
   int samples = 1;
+  render::Technique technique = render::Technique::both;
   render::Vec3 light_direction;  // of unit length; for the directional light
 
   static Result<RenderPlan> of(const RenderArguments& arguments);

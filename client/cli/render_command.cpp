@@ -13,6 +13,7 @@
 #include "client/image/exr.h"
 #include "client/image/png.h"
 #include "client/image/srgb.h"
+#include "client/render/evaluator.h"
 #include "client/render/integrator.h"
 
 namespace gonio::cli {
@@ -38,9 +39,9 @@ Result<image::Image> render_picture(const RenderArguments& arguments, const Rend
   const auto shape = render::make_shape(plan.shape);
   const render::Camera camera(arguments.view, shape->radius(), plan.size.width, plan.size.height);
   const render::Scene scene{*shape, camera, light, background_of(arguments)};
-  const render::Sampling sampling{plan.size.width, plan.size.height, plan.samples, arguments.seed,
-                                  arguments.connection.threads};
-  Progress progress(!arguments.quiet);
+  const render::Sampling sampling{plan.size.width, plan.size.height, plan.samples,
+                                  arguments.seed,  plan.technique,   arguments.connection.threads};
+  Progress progress(!arguments.quiet, "pairs");
   return render::render(scene, sampling, evaluator,
                         [&](double done) { progress.update(evaluator.report().pairs, done); });
 }
@@ -68,7 +69,7 @@ int run(const RenderArguments& arguments) {
   if (written) written = output->commit();
   if (!written) return fail(written.error());
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  print_summary(evaluator->report(), taken.count(), arguments.quiet, arguments.verbose);
+  print_summary(evaluator->report(), "pairs", taken.count(), arguments.quiet, arguments.verbose);
   return exit_ok;
 }
 

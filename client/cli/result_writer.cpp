@@ -1,5 +1,7 @@
 #include "client/cli/result_writer.h"
 
+#include <utility>
+
 namespace gonio::cli {
 
 std::optional<Format> format_named(std::string_view name) {
@@ -14,5 +16,33 @@ std::optional<Format> format_of_file(std::string_view file) {
   if (dot == std::string_view::npos) return std::nullopt;
   return format_named(file.substr(dot + 1));
 }
+
+std::vector<std::string> channel_names(const std::string& letter, int channels) {
+  std::vector<std::string> names;
+  for (int c = 0; c < channels; ++c) names.push_back(letter + "_" + std::to_string(c));
+  return names;
+}
+
+template <class T>
+std::unique_ptr<ResultWriter<T>> make_writer(Format format, OutputFile& output, Table table,
+                                             std::optional<std::uint64_t> rows,
+                                             InputColumns<T> input) {
+  switch (format) {
+    case Format::json:
+      return json_writer<T>(output, std::move(table));
+    case Format::npy:
+      return npy_writer<T>(output, std::move(table), rows);
+    case Format::csv:
+      break;
+  }
+  return csv_writer<T>(output, std::move(table), std::move(input));
+}
+
+template std::unique_ptr<ResultWriter<float>> make_writer(Format, OutputFile&, Table,
+                                                          std::optional<std::uint64_t>,
+                                                          InputColumns<float>);
+template std::unique_ptr<ResultWriter<double>> make_writer(Format, OutputFile&, Table,
+                                                           std::optional<std::uint64_t>,
+                                                           InputColumns<double>);
 
 }  // namespace gonio::cli

@@ -18,11 +18,12 @@ namespace {
 
 }  // namespace
 
-std::string flag_summary(const client::Report& report) {
+std::string flag_summary(const client::Report& report, const std::string& items) {
   if (report.flagged == 0) return {};
-  std::string text = std::to_string(report.flagged) + " of " + std::to_string(report.pairs) +
-                     (report.flagged == 1 ? " pairs is flagged and has the value 0: "
-                                          : " pairs are flagged and have the value 0: ");
+  std::string text = std::to_string(report.flagged) + " of " + std::to_string(report.pairs) + " " +
+                     items +
+                     (report.flagged == 1 ? " is flagged and has the value 0: "
+                                          : " are flagged and have the value 0: ");
   const char* separator = "";
   for (std::size_t bit = 0; bit < client::kFlagBits; ++bit) {
     if (report.flagged_by[bit] == 0) continue;
@@ -40,21 +41,23 @@ std::string bound_text(const client::ErrorBound& bound) {
   return text;
 }
 
-std::string report_line(const client::Report& report, double seconds) {
+std::string report_line(const client::Report& report, const std::string& items, double seconds) {
   const auto pairs = static_cast<double>(report.pairs);
-  std::string text = format("%llu pairs x %d channels in %.3f s (%.3g M pairs/s); kernels %.4f s",
-                            static_cast<unsigned long long>(report.pairs), report.channels, seconds,
-                            1e-6 * pairs / std::max(seconds, 1e-9), report.kernel_seconds);
+  std::string text =
+      format("%llu %s x %d channels in %.3f s (%.3g M %s/s); kernels %.4f s",
+             static_cast<unsigned long long>(report.pairs), items.c_str(), report.channels, seconds,
+             1e-6 * pairs / std::max(seconds, 1e-9), items.c_str(), report.kernel_seconds);
   text += "; " + std::string(name_of(report.instruction_set)) + ", " +
           std::string(name_of(report.precision)) + ", " + bound_text(report.error_bound);
   if (report.retries > 0) text += "; " + std::to_string(report.retries) + " retries";
   return text;
 }
 
-void print_summary(const client::Report& report, double seconds, bool quiet, bool verbose) {
-  const std::string flags = flag_summary(report);
+void print_summary(const client::Report& report, const std::string& items, double seconds,
+                   bool quiet, bool verbose) {
+  const std::string flags = flag_summary(report, items);
   if (!flags.empty() && !quiet) std::fprintf(stderr, "gonio: %s\n", flags.c_str());
-  if (verbose) std::fprintf(stderr, "gonio: %s\n", report_line(report, seconds).c_str());
+  if (verbose) std::fprintf(stderr, "gonio: %s\n", report_line(report, items, seconds).c_str());
 }
 
 }  // namespace gonio::cli

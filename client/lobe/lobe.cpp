@@ -49,7 +49,7 @@ class Batch {
     }
     values_.resize(before + count);
     const auto values = std::span(values_).subspan(before);
-    if (auto done = evaluator_.evaluate(wi, wo_, values); !done) return done;
+    if (auto done = evaluator_.evaluate(wi, wo_, values, {}); !done) return done;
     for (std::size_t i = 0; i < count && incidence_.cosine; ++i) values[i] *= wo_[3 * i + 2];
     wo_.clear();
     return Ok{};

@@ -30,18 +30,39 @@ Result<Evaluator> Evaluator::create(const client::Client& client, client::Materi
   return Evaluator(client, std::move(material), *channels);
 }
 
-Outcome Evaluator::evaluate(std::span<const float> wi, std::span<const float> wo,
-                            std::span<image::Rgb> values) {
-  const auto channels = static_cast<std::size_t>(channels_);
-  values_.resize(channels * values.size());
-  auto report = client_->evaluate(material_, wi, wo, values_);
+Outcome Evaluator::evaluate(std::span<const float> viewers, std::span<const float> lights,
+                            std::span<Rgb> f, std::span<float> pdf) {
+  values_.resize(static_cast<std::size_t>(channels_) * f.size());
+  auto report = pdf.empty() ? client_->evaluate(material_, viewers, lights, values_)
+                            : client_->evaluate_with_pdf(material_, viewers, lights, values_, pdf);
   if (!report) return report.error();
   add(report_, std::move(report).value());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const float* f = values_.data() + channels * i;
-    values[i] = channels == 3 ? image::Rgb(f[0], f[1], f[2]) : image::Rgb::Constant(f[0]);
-  }
+  take_colours(f);
   return Ok{};
+}
+
+Outcome Evaluator::sample(std::span<const float> viewers, std::span<const float> xi,
+                          std::span<float> lights, std::span<float> pdf, std::span<Rgb> weights) {
+  values_.resize(static_cast<std::size_t>(channels_) * weights.size());
+  client::SampleBatch<float> batch;
+  batch.wi = viewers;
+  batch.xi = xi;
+  auto report = client_->sample(material_, batch, {lights, pdf, values_, {}});
+  if (!report) return report.error();
+  // What is lost below the horizon is in order.
+  report->flagged = 0;
+  report->flagged_by = {};
+  add(report_, std::move(report).value());
+  take_colours(weights);
+  return Ok{};
+}
+
+void Evaluator::take_colours(std::span<Rgb> colours) const {
+  const auto channels = static_cast<std::size_t>(channels_);
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    const float* value = values_.data() + channels * i;
+    colours[i] = channels == 3 ? Rgb(value[0], value[1], value[2]) : Rgb::Constant(value[0]);
+  }
 }
 
 }  // namespace gonio::render

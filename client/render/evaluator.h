@@ -1,4 +1,4 @@
-// A material's colours, asked of the service. Thread safety: used by one thread.
+// A material of the service as a surface. Thread safety: used by one thread.
 #pragma once
 
 #include <span>
@@ -6,20 +6,20 @@
 
 #include "base/result.h"
 #include "client/client.h"
-#include "client/image/image.h"
+#include "client/render/surface.h"
 
 namespace gonio::render {
 
-class Evaluator {
+class Evaluator : public Surface {
  public:
   // Has the material checked. Errors: what the service says, and a material of other than 1 or 3
-  // channels. The client must outlive it.
+  // channels. The client must outlive it. A material of one channel is grey.
   static Result<Evaluator> create(const client::Client& client, client::Material material);
 
-  // f(wi, wo) in 1/sr of interleaved local directions, at most a few 100,000 pairs in a call; a
-  // material of one channel is grey. A pair that cannot be evaluated is black.
-  Outcome evaluate(std::span<const float> wi, std::span<const float> wo,
-                   std::span<image::Rgb> values);
+  Outcome evaluate(std::span<const float> viewers, std::span<const float> lights, std::span<Rgb> f,
+                   std::span<float> pdf) override;
+  Outcome sample(std::span<const float> viewers, std::span<const float> xi, std::span<float> lights,
+                 std::span<float> pdf, std::span<Rgb> weights) override;
 
   // Of all calls until now.
   [[nodiscard]] const client::Report& report() const { return report_; }
@@ -28,6 +28,7 @@ class Evaluator {
  private:
   Evaluator(const client::Client& client, client::Material material, int channels)
       : client_(&client), material_(std::move(material)), channels_(channels) {}
+  void take_colours(std::span<Rgb> colours) const;
 
   const client::Client* client_;
   client::Material material_;

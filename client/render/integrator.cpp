@@ -1,155 +1,190 @@
 #include "client/render/integrator.h"
 
 #include <algorithm>
-#include <functional>
-#include <memory>
 #include <utility>
 #include <vector>
 
 #include "client/render/film.h"
 #include "client/render/parallel.h"
-#include "client/render/strategy.h"
 
 namespace gonio::render {
 namespace {
 
-constexpr std::size_t kBatch =
-    65536;                          // camera samples; with two strategies, 131072 pairs in a call
-constexpr std::size_t kRun = 2048;  // camera samples that a thread takes at a time
+constexpr std::size_t kBatch = 65536;  // camera samples; as many pairs in a call, at most
+constexpr std::size_t kRun = 2048;     // camera samples, or points, that a thread takes at a time
 
-using Strategies = std::vector<std::unique_ptr<const Strategy>>;
+// What numbers are drawn for.
+enum Purpose : std::uint32_t { film = 0, light_direction = 1, surface_direction = 2 };
 
-// A run of camera samples: what they see, and what has to be evaluated for it.
-struct Run {
-  std::vector<Rgb> radiance;           // of each sample, the background at first
-  std::vector<std::uint32_t> samples;  // of each pair, its number in `radiance`
-  std::vector<Rgb> weights;            // of each pair: radiance times cosine by density
-  std::vector<float> wi, wo;           // of each pair, interleaved
-  Outcome outcome = Ok{};
+// A camera sample that meets the object.
+struct Point {
+  Frame frame;
+  Vec3f viewer;          // local
+  std::uint32_t sample;  // its number in the batch
+  Sequence sequence;
+  std::uint32_t index;  // in its pixel
 };
 
-// The samples of a run that meet the object.
-struct Points {
-  std::vector<Point> points;
-  std::vector<std::uint32_t> samples;  // their numbers in the run
-  std::vector<std::pair<Sequence, std::uint32_t>> draws;
-};
-
-class Tracer {
- public:
-  Tracer(const Scene& scene, const Sampling& sampling, const Strategies& strategies)
-      : scene_(scene), sampling_(sampling), strategies_(strategies) {}
-
-  [[nodiscard]] Run trace(std::uint64_t first, std::size_t count) const {
-    Run run;
-    run.radiance.assign(count, Rgb::Zero());
-    Points points;
-    for (std::size_t i = 0; i < count; ++i) look(first + i, i, run, points);
-    for (std::size_t k = 0; k < strategies_.size() && run.outcome; ++k) {
-      run.outcome = gather(k, points, run);
-    }
-    return run;
+// Per point of a batch.
+struct Directions {
+  std::vector<float> lights, pdf;  // local, and the surface's density
+  std::vector<Rgb> values;
+  void resize(std::size_t points) {
+    lights.resize(3 * points), pdf.resize(points), values.resize(points);
   }
+};
+
+Vec3f at(const std::vector<float>& directions, std::size_t i) {
+  return {directions[3 * i], directions[3 * i + 1], directions[3 * i + 2]};
+}
+
+class Batch {
+ public:
+  Batch(const Scene& scene, const Sampling& sampling, Surface& surface)
+      : scene_(scene), sampling_(sampling), surface_(surface) {}
+
+  // The radiance of camera samples first ... first + count - 1, which are numbered pixel after
+  // pixel.
+  Outcome trace(std::uint64_t first, std::size_t count) {
+    radiance_.assign(count, Rgb::Zero());
+    find_points(first, count);
+    if (uses_light()) {
+      if (auto done = from_light(); !done) return done;
+    }
+    return uses_surface() ? from_surface() : Ok{};
+  }
+  [[nodiscard]] const std::vector<Rgb>& radiance() const { return radiance_; }
 
  private:
-  // Samples are numbered pixel after pixel.
-  void look(std::uint64_t number, std::size_t place, Run& run, Points& points) const {
+  void find_points(std::uint64_t first, std::size_t count) {
+    std::vector<std::vector<Point>> runs((count + kRun - 1) / kRun);
+    parallel_for(runs.size(), sampling_.threads, [&](std::size_t run) {
+      for (std::size_t i = run * kRun; i < std::min(count, (run + 1) * kRun); ++i)
+        look(first + i, i, runs[run]);
+    });
+    points_.clear();
+    viewers_.clear();
+    for (const auto& run : runs) {
+      for (const Point& point : run) {
+        points_.push_back(point);
+        viewers_.insert(viewers_.end(), point.viewer.begin(), point.viewer.end());
+      }
+    }
+    directions_.resize(points_.size());
+  }
+
+  void look(std::uint64_t number, std::size_t place, std::vector<Point>& points) {
     const auto samples = static_cast<std::uint64_t>(sampling_.samples);
     const auto width = static_cast<std::uint64_t>(sampling_.width);
     const std::uint64_t pixel = number / samples;
-    const auto sample = static_cast<std::uint32_t>(number % samples);
+    const auto index = static_cast<std::uint32_t>(number % samples);
     const Sequence sequence(sampling_.seed, static_cast<std::uint32_t>(pixel));
-    const Xi jitter = sequence.draw(sample, kFilm);
-    const std::uint64_t column = pixel % width, row = pixel / width;
-    const Ray ray = scene_.camera.ray(static_cast<double>(column) + jitter[0],
-                                      static_cast<double>(row) + jitter[1]);
+    const Xi jitter = sequence.draw(index, Purpose::film);
+    const Ray ray = scene_.camera.ray(static_cast<double>(pixel % width) + jitter[0],
+                                      static_cast<double>(pixel / width) + jitter[1]);
     const auto frame = scene_.shape.hit(ray);
     if (!frame) {
-      run.radiance[place] =
+      radiance_[place] =
           scene_.background ? *scene_.background : scene_.light.radiance(ray.direction);
       return;
     }
-    const Vec3f wo = frame->to_local(-ray.direction);
-    if (!(wo.z() > 0)) return;
-    points.points.push_back({*frame, wo});
-    points.samples.push_back(static_cast<std::uint32_t>(place));
-    points.draws.emplace_back(sequence, sample);
+    const Vec3f viewer = frame->to_local(-ray.direction);
+    if (viewer.z() > 0)
+      points.push_back({*frame, viewer, static_cast<std::uint32_t>(place), sequence, index});
   }
 
-  // Adds to the run one direction a point of strategy k.
-  Outcome gather(std::size_t k, const Points& points, Run& run) const {
-    const std::size_t count = points.points.size();
-    std::vector<Xi> xi;
-    xi.reserve(count);
-    for (const auto& [sequence, sample] : points.draws) {
-      xi.push_back(sequence.draw(sample, kFirstStrategy + static_cast<std::uint32_t>(k)));
-    }
-    std::vector<Vec3f> wi(count);
-    if (auto done = strategies_[k]->propose(points.points, xi, wi); !done) return done;
-    std::vector<double> sum(count), density(count);
-    for (const auto& strategy : strategies_) {
-      if (auto done = strategy->densities(points.points, wi, density); !done) return done;
-      std::transform(sum.begin(), sum.end(), density.begin(), sum.begin(), std::plus<>());
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!(wi[i].z() > 0) || !(sum[i] > 0)) continue;
-      const Point& point = points.points[i];
-      const Rgb light = scene_.light.radiance(point.frame.to_world(wi[i]));
-      run.samples.push_back(points.samples[i]);
-      run.weights.emplace_back(light * static_cast<float>(wi[i].z() / sum[i]));
-      run.wi.insert(run.wi.end(), wi[i].begin(), wi[i].end());
-      run.wo.insert(run.wo.end(), point.wo.begin(), point.wo.end());
-    }
+  template <class Body>
+  void for_points(const Body& body) {
+    parallel_for((points_.size() + kRun - 1) / kRun, sampling_.threads, [&](std::size_t run) {
+      for (std::size_t i = run * kRun; i < std::min(points_.size(), (run + 1) * kRun); ++i) body(i);
+    });
+  }
+
+  // A single direction is never drawn by chance.
+  [[nodiscard]] bool uses_light() const {
+    return scene_.light.single_direction() || sampling_.technique != Technique::surface;
+  }
+  [[nodiscard]] bool uses_surface() const {
+    return !scene_.light.single_direction() && sampling_.technique != Technique::light;
+  }
+  // The sum of the densities of the techniques in use, of a direction that the light has with
+  // `light` and the surface with `surface`.
+  [[nodiscard]] double density(double light, float surface) const {
+    return (uses_light() ? light : 0) + (uses_surface() ? static_cast<double>(surface) : 0);
+  }
+
+  Outcome from_light() {
+    Directions& d = directions_;
+    lit_.resize(points_.size());
+    for_points([&](std::size_t i) {
+      const Point& point = points_[i];
+      Vec3f local = point.frame.to_local(
+          scene_.light.sample(point.sequence.draw(point.index, light_direction)));
+      // Light from below is not asked about.
+      lit_[i] = local.z() > 0 ? 1 : 0;
+      if (lit_[i] == 0) local = Vec3f::UnitZ();
+      std::copy(local.begin(), local.end(), d.lights.begin() + static_cast<std::ptrdiff_t>(3 * i));
+    });
+    const std::span<float> pdf = uses_surface() ? std::span(d.pdf) : std::span<float>();
+    if (auto done = surface_.evaluate(viewers_, d.lights, d.values, pdf); !done) return done;
+    for_points([&](std::size_t i) {
+      if (lit_[i] == 0) return;
+      const Vec3f local = at(d.lights, i);
+      const Vec3 world = points_[i].frame.to_world(local);
+      const double sum = density(scene_.light.density(world), d.pdf[i]);
+      if (sum > 0)
+        radiance_[points_[i].sample] += scene_.light.radiance(world) * d.values[i] *
+                                        static_cast<float>(static_cast<double>(local.z()) / sum);
+    });
     return Ok{};
   }
 
-  static constexpr std::uint32_t kFilm = 0, kFirstStrategy = 1;  // what numbers are drawn for
+  Outcome from_surface() {
+    Directions& d = directions_;
+    xi_.resize(3 * points_.size());
+    for_points([&](std::size_t i) {
+      const Point& point = points_[i];
+      const Xi uv = point.sequence.draw(point.index, surface_direction);
+      const double which = point.sequence.draw_third(point.index, surface_direction);
+      // Rounding to float32 must not reach 1.
+      const auto number = [](double x) { return std::min(static_cast<float>(x), 0x1.fffffep-1F); };
+      xi_[3 * i] = number(which), xi_[3 * i + 1] = number(uv[0]), xi_[3 * i + 2] = number(uv[1]);
+    });
+    if (auto done = surface_.sample(viewers_, xi_, d.lights, d.pdf, d.values); !done) return done;
+    for_points([&](std::size_t i) {
+      const float pdf = d.pdf[i];
+      if (!(pdf > 0)) return;
+      const Vec3 world = points_[i].frame.to_world(at(d.lights, i));
+      const double share = static_cast<double>(pdf) / density(scene_.light.density(world), pdf);
+      radiance_[points_[i].sample] +=
+          scene_.light.radiance(world) * d.values[i] * static_cast<float>(share);
+    });
+    return Ok{};
+  }
 
   const Scene& scene_;
   const Sampling& sampling_;
-  const Strategies& strategies_;
+  Surface& surface_;
+  std::vector<Rgb> radiance_;  // of each sample, the background at first
+  std::vector<Point> points_;
+  std::vector<float> viewers_, xi_;
+  std::vector<std::uint8_t> lit_;  // whether the light's direction is above the horizon
+  Directions directions_;
 };
-
-// Has the pairs of all runs evaluated in one call and adds what they bring to their samples.
-Outcome shade(std::vector<Run>& runs, Evaluator& evaluator) {
-  std::vector<float> wi, wo;
-  for (const Run& run : runs) {
-    if (!run.outcome) return run.outcome;
-    wi.insert(wi.end(), run.wi.begin(), run.wi.end());
-    wo.insert(wo.end(), run.wo.begin(), run.wo.end());
-  }
-  if (wi.empty()) return Ok{};
-  std::vector<Rgb> values(wi.size() / 3);
-  if (auto done = evaluator.evaluate(wi, wo, values); !done) return done;
-  auto value = values.cbegin();
-  for (Run& run : runs) {
-    for (std::size_t i = 0; i < run.samples.size(); ++i) {
-      run.radiance[run.samples[i]] += *value++ * run.weights[i];
-    }
-  }
-  return Ok{};
-}
 
 }  // namespace
 
-Result<image::Image> render(const Scene& scene, const Sampling& sampling, Evaluator& evaluator,
+Result<image::Image> render(const Scene& scene, const Sampling& sampling, Surface& surface,
                             const OnProgress& on_progress) {
-  const Strategies strategies = strategies_for(scene.light);
-  const Tracer tracer(scene, sampling, strategies);
   const std::uint64_t total = static_cast<std::uint64_t>(sampling.width) *
                               static_cast<std::uint64_t>(sampling.height) *
                               static_cast<std::uint64_t>(sampling.samples);
   Film film(sampling.width, sampling.height, sampling.samples);
+  Batch batch(scene, sampling, surface);
   for (std::uint64_t first = 0; first < total; first += kBatch) {
     const std::size_t count = std::min<std::uint64_t>(kBatch, total - first);
-    std::vector<Run> runs((count + kRun - 1) / kRun);
-    parallel_for(runs.size(), sampling.threads, [&](std::size_t i) {
-      runs[i] = tracer.trace(first + i * kRun, std::min(kRun, count - i * kRun));
-    });
-    if (auto done = shade(runs, evaluator); !done) return done.error();
-    for (const Run& run : runs) {
-      for (const Rgb& radiance : run.radiance) film.add(radiance);
-    }
+    if (auto done = batch.trace(first, count); !done) return done.error();
+    for (const Rgb& radiance : batch.radiance()) film.add(radiance);
     on_progress(static_cast<double>(first + count) / static_cast<double>(total));
   }
   return film.take();

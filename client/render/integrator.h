@@ -7,9 +7,9 @@
 
 #include "base/result.h"
 #include "client/render/camera.h"
-#include "client/render/evaluator.h"
 #include "client/render/light.h"
 #include "client/render/shape.h"
+#include "client/render/surface.h"
 
 namespace gonio::render {
 
@@ -20,10 +20,16 @@ struct Scene {
   std::optional<Rgb> background;  // a radiance; without one, that of the light is seen
 };
 
+// Where the directions that are looked at come from: the light, the surface, or both, weighed by
+// the balance heuristic of Veach & Guibas 1995, "Optimally Combining Sampling Techniques". Of a
+// light with a single direction, only the light.
+enum class Technique : std::uint8_t { both, light, surface };
+
 struct Sampling {
   int width = 1, height = 1;
   int samples = 1;  // of a pixel
   std::uint32_t seed = 0;
+  Technique technique = Technique::both;
   int threads = 0;  // for what is not the service's work; 0 for one a processor
 };
 
@@ -31,9 +37,9 @@ struct Sampling {
 using OnProgress = std::function<void(double)>;
 
 // The radiance of every pixel, the mean over its square. The same scene, seed and service give the
-// same bits, however many threads there are. Memory: the picture, and some 30 MB. Errors: what the
+// same bits, however many threads there are. Memory: the picture, and some 40 MB. Errors: what the
 // service says.
-Result<image::Image> render(const Scene& scene, const Sampling& sampling, Evaluator& evaluator,
+Result<image::Image> render(const Scene& scene, const Sampling& sampling, Surface& surface,
                             const OnProgress& on_progress);
 
 }  // namespace gonio::render

@@ -1,4 +1,4 @@
-// The numbers that samples are drawn with: the first two dimensions of Sobol's sequence,
+// The numbers that samples are drawn with: the first three dimensions of Sobol's sequence,
 // Owen-scrambled per pixel. Whatever asks for (seed, pixel, sample, purpose) gets the same numbers,
 // in any order and on any thread. Sources: Owen 1995, Randomly Permuted (t,m,s)-Nets; Burley 2020,
 // Practical Hash-based Owen Scrambling, JCGT 9(4), listings 1 to 4, with Laine & Karras' 2011 hash.
@@ -18,14 +18,25 @@ class Sequence {
 
   // `purpose`: what the numbers are for; those of two purposes are independent of each other.
   [[nodiscard]] Xi draw(std::uint32_t sample, std::uint32_t purpose) const {
-    const std::uint32_t key = mixed(key_ ^ mixed(purpose + 1));
-    // The order is shuffled too, so that one purpose's n-th pair says nothing of another's.
-    const std::uint32_t index = scrambled(sample, key);
-    return {unit(scrambled(reversed(index), mixed(key ^ 0x5555U))),
-            unit(scrambled(sobol_second(index), mixed(key ^ 0xaaaaU)))};
+    const Point point = point_of(sample, purpose);
+    return {unit(scrambled(reversed(point.index), mixed(point.key ^ 0x5555U))),
+            unit(scrambled(sobol_second(point.index), mixed(point.key ^ 0xaaaaU)))};
+  }
+  // The number that goes with that pair.
+  [[nodiscard]] double draw_third(std::uint32_t sample, std::uint32_t purpose) const {
+    const Point point = point_of(sample, purpose);
+    return unit(scrambled(sobol_third(point.index), mixed(point.key ^ 0x3333U)));
   }
 
  private:
+  struct Point {
+    std::uint32_t key, index;
+  };
+  [[nodiscard]] Point point_of(std::uint32_t sample, std::uint32_t purpose) const {
+    const std::uint32_t key = mixed(key_ ^ mixed(purpose + 1));
+    // The order is shuffled too, so that one purpose's n-th point says nothing of another's.
+    return {key, scrambled(sample, key)};
+  }
   // A hash of 32 bits: lowbias32 of C. Wellons' search for integer hashes of little bias.
   static constexpr std::uint32_t mixed(std::uint32_t x) {
     x = (x ^ (x >> 16U)) * 0x7feb352dU;
@@ -51,6 +62,17 @@ class Sequence {
     std::uint32_t result = 0;
     for (std::uint32_t column = 1U << 31U; index != 0; index >>= 1U, column ^= column >> 1U) {
       if ((index & 1U) != 0) result ^= column;
+    }
+    return result;
+  }
+  // Direction numbers by the recurrence of x^2 + x + 1 from 1 and 3.
+  static constexpr std::uint32_t sobol_third(std::uint32_t index) {
+    std::uint32_t result = 0, older = 1, newer = 3;
+    for (std::uint32_t bit = 0; index != 0; index >>= 1U, ++bit) {
+      if ((index & 1U) != 0) result ^= older << (31U - bit);
+      const std::uint32_t next = (newer << 1U) ^ (older << 2U) ^ older;
+      older = newer;
+      newer = next;
     }
     return result;
   }

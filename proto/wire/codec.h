@@ -1,7 +1,7 @@
-// The hot path's codec: EvaluateRequest and EvaluateResponse straight from and into gRPC's slices,
-// so that the large arrays are never copied into a message. What is written is plain protobuf; what
-// is read may be any legal protobuf of these messages (the canonical form is fast, anything else
-// goes through the generated parser first).
+// The hot path's codec: the requests and responses of Evaluate and Sample straight from and into
+// gRPC's slices, so that the large arrays are never copied into a message. What is written is plain
+// protobuf; what is read may be any legal protobuf of these messages (the canonical form is fast,
+// anything else goes through the generated parser first).
 //
 // Thread safety: functions without state, plain values.
 #pragma once
@@ -9,6 +9,7 @@
 #include <grpcpp/support/byte_buffer.h>
 #include <grpcpp/support/slice.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -19,6 +20,7 @@
 
 #include "base/result.h"
 #include "gonio/v1/evaluate.pb.h"
+#include "gonio/v1/sample.pb.h"
 #include "wire/bytes.h"
 
 namespace gonio::wire {
@@ -29,64 +31,120 @@ struct Array {
   std::size_t count = 0;
 };
 
+// In all requests: the serialised gonio.v1.Material, not parsed (whoever has seen the same bytes
+// before need not), and where the arrays lie.
 struct Request {
+  using Message = gonio::v1::EvaluateRequest;
   enum class Kind : std::uint8_t { none, pairs, pairs_f64, grid };
-  gonio::v1::EvaluateRequest head;  // everything but the material and the pairs
-  // The serialised gonio.v1.Material, not parsed: whoever has seen the same bytes before need not.
+  Message head;  // everything but the material and the pairs
   std::optional<std::string> material;
   Kind kind = Kind::none;
-  SliceBytes bytes;  // where wi and wo lie
-  Array wi, wo;      // in floats (pairs) or doubles (pairs_f64), 3 per direction; lengths unchecked
+  SliceBytes bytes;
+  Array wi, wo;  // in floats (pairs) or doubles (pairs_f64), 3 per direction; lengths unchecked
 };
 
-struct StreamRequest {
+struct SampleRequest {
+  using Message = gonio::v1::SampleRequest;
+  Message head;  // everything but the material and the arrays
+  std::optional<std::string> material;
+  SliceBytes bytes;
+  Array wi, wi_f64, xi, xi_f64;  // in floats or doubles; lengths unchecked
+};
+
+struct IntegrateRequest {
+  using Message = gonio::v1::IntegrateRequest;
+  Message head;  // everything but the material and the arrays
+  std::optional<std::string> material;
+  SliceBytes bytes;
+  Array wi, wi_f64;  // as above
+};
+
+// The chunk of a stream: of EvaluateStreamRequest or SampleStreamRequest.
+template <class R>
+struct ChunkOf {
   std::uint64_t sequence = 0;
   std::uint32_t slot = 0;
-  Result<Request> request = Request{};  // an error of this chunk alone
+  Result<R> request = R{};  // an error of this chunk alone
 };
+using StreamRequest = ChunkOf<Request>;
+using SampleStreamRequest = ChunkOf<SampleRequest>;
 
-struct Response {
-  gonio::v1::EvaluateResponse head;  // everything but flags and values
-  SliceBytes bytes;                  // where flags and values lie
-  Array flags;                       // bytes; none if no pair is flagged
-  Array values;                      // floats, or doubles
-  bool is_f64 = false;               // which of the two
+template <class Head>
+struct ResponseOf {
+  using Message = Head;
+  Head head;            // everything but the arrays
+  SliceBytes bytes;     // where those lie
+  Array flags;          // bytes; none if nothing is flagged
+  Array values;         // a sample's are its weights
+  Array pdf;            // none if not asked for
+  Array wo;             // of samples
+  bool is_f64 = false;  // whether values, pdf and wo are doubles
 };
+using Response = ResponseOf<gonio::v1::EvaluateResponse>;
+using SampleResponse = ResponseOf<gonio::v1::SampleResponse>;
 
-struct StreamResponse {
+// The answer to a chunk.
+template <class R>
+struct ChunkAnswerOf {
   std::uint64_t sequence = 0;
-  std::variant<Response, gonio::v1::ErrorDetail> result;
+  std::variant<R, gonio::v1::ErrorDetail> result;
 };
+using StreamResponse = ChunkAnswerOf<Response>;
+using SampleStreamResponse = ChunkAnswerOf<SampleResponse>;
 
-// Errors: invalid_argument for bytes that are not such a message, or whose material would have to
-// be parsed here and is larger than kMaxMaterialBytes.
-Result<Request> decode_request(const grpc::ByteBuffer& buffer);
-Result<StreamRequest> decode_stream_request(const grpc::ByteBuffer& buffer);
-Result<Response> decode_response(const grpc::ByteBuffer& buffer);
-Result<StreamResponse> decode_stream_response(const grpc::ByteBuffer& buffer);
+// Reads any of the types above. Errors: invalid_argument for bytes that are not such a message, or
+// whose material would have to be parsed here and is larger than kMaxMaterialBytes.
+template <class Decoded>
+Result<Decoded> decode(const grpc::ByteBuffer& buffer);
 
-// Pairs for a request: slices of 3 floats (or doubles) per direction, interleaved. borrow() makes
-// one without a copy.
+// Arrays for a request: slices of 3 floats (or doubles) per direction or sample, interleaved.
+// borrow() makes one without a copy.
 struct PairSlices {
   grpc::Slice wi, wo;
   bool is_f64 = false;
 };
-
-// `head` is a serialised EvaluateRequest without pairs, which need not be put together for every
-// batch; `pairs` null for a grid (in `head`).
-grpc::ByteBuffer encode_request(std::string_view head, const PairSlices* pairs);
-grpc::ByteBuffer encode_stream_request(std::uint64_t sequence, std::uint32_t slot,
-                                       std::string_view head, const PairSlices* pairs);
-
-// `head` without flags and values; `flags` empty for none.
-struct ResponseParts {
-  gonio::v1::EvaluateResponse head;
-  grpc::Slice flags;
-  grpc::Slice values;
+struct SampleSlices {
+  grpc::Slice wi, xi;  // xi may be empty
   bool is_f64 = false;
 };
-grpc::ByteBuffer encode_response(const ResponseParts& parts);
-grpc::ByteBuffer encode_stream_response(std::uint64_t sequence, const ResponseParts& parts);
+
+// The arrays of a request as the fields they become.
+struct RequestArrays {
+  RequestArrays() = default;
+  // NOLINTBEGIN(google-explicit-constructor): one of these is what a request's arrays are
+  RequestArrays(const PairSlices& pairs);
+  RequestArrays(const SampleSlices& samples);
+  // NOLINTEND(google-explicit-constructor)
+
+  struct One {
+    std::uint32_t number = 0;  // of the field; 0: there is none
+    grpc::Slice data;
+  };
+  std::uint32_t within = 0;  // the field of the request that holds them; 0: the request itself
+  std::array<One, 2> arrays;
+};
+
+// `head` is the serialised request without these arrays, which need not be put together for every
+// batch.
+grpc::ByteBuffer encode_request(std::string_view head, const RequestArrays& arrays);
+grpc::ByteBuffer encode_stream_request(std::uint64_t sequence, std::uint32_t slot,
+                                       std::string_view head, const RequestArrays& arrays);
+
+// `head` without the arrays; those may be empty. Their type is that of the values.
+template <class Head>
+struct ResponsePartsOf {
+  Head head;
+  grpc::Slice flags, values, pdf, wo;
+  bool is_f64 = false;
+};
+using ResponseParts = ResponsePartsOf<gonio::v1::EvaluateResponse>;
+using SampleResponseParts = ResponsePartsOf<gonio::v1::SampleResponse>;
+
+template <class Head>
+grpc::ByteBuffer encode_response(const ResponsePartsOf<Head>& parts);
+grpc::ByteBuffer encode_response(const gonio::v1::IntegrateResponse& response);
+template <class Head>
+grpc::ByteBuffer encode_stream_response(std::uint64_t sequence, const ResponsePartsOf<Head>& parts);
 grpc::ByteBuffer encode_stream_error(std::uint64_t sequence, const gonio::v1::ErrorDetail& error);
 
 // A slice of the caller's memory, which must stay valid and unchanged until the slice's last copy

@@ -44,6 +44,19 @@ Result<Precision> from_wire(gonio::v1::Precision precision) {
   }
 }
 
+Result<Sequence> from_wire(gonio::v1::Sequence sequence) {
+  switch (sequence) {
+    case gonio::v1::SEQUENCE_UNSPECIFIED:
+    case gonio::v1::SEQUENCE_RANDOM:
+      return Sequence::random;
+    case gonio::v1::SEQUENCE_SOBOL:
+      return Sequence::sobol;
+    default:
+      return bad_value("sequence", std::to_string(static_cast<int>(sequence)),
+                       "SEQUENCE_RANDOM (1) or SEQUENCE_SOBOL (2)");
+  }
+}
+
 Result<Isa> from_wire(gonio::v1::InstructionSet isa) {
   switch (isa) {
     case gonio::v1::INSTRUCTION_SET_BASELINE:

@@ -6,8 +6,10 @@
 
 #include "base/result.h"
 #include "engine/isa.h"
+#include "engine/random_numbers.h"
 #include "gonio/v1/evaluate.pb.h"
 #include "gonio/v1/material.pb.h"
+#include "gonio/v1/sample.pb.h"
 #include "models/description.h"
 
 namespace gonio::wire {
@@ -18,6 +20,8 @@ gonio::v1::ErrorBound to_wire(const ErrorBound& bound);
 
 // UNSPECIFIED is fast. Errors: a number that the enum does not have.
 Result<Precision> from_wire(gonio::v1::Precision precision);
+// UNSPECIFIED is random. Errors: a number that the enum does not have.
+Result<Sequence> from_wire(gonio::v1::Sequence sequence);
 // Not for UNSPECIFIED, whose meaning depends on the processor. Errors: a number that the enum does
 // not have.
 Result<Isa> from_wire(gonio::v1::InstructionSet isa);

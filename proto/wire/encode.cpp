@@ -1,15 +1,15 @@
-#include <initializer_list>
+#include <array>
 #include <string>
 #include <vector>
 
 #include "wire/codec.h"
 #include "wire/fields.h"
+#include "wire/numbers.h"
 
 namespace gonio::wire {
 namespace {
 
-using gonio::v1::EvaluateRequest;
-using gonio::v1::EvaluateResponse;
+using Numbers = StreamNumbers;
 
 // Small parts are gathered into one slice, large ones are passed on by reference.
 class Gather {
@@ -51,36 +51,32 @@ std::size_t array_size(std::uint32_t number, const grpc::Slice& slice) {
   return slice.size() == 0 ? 0 : header_size(number, slice.size()) + slice.size();
 }
 
-using WirePairs = gonio::v1::Pairs;  // PairsF64 has the same numbers
-static_assert(static_cast<int>(WirePairs::kWiFieldNumber) == gonio::v1::PairsF64::kWiFieldNumber);
-static_assert(static_cast<int>(WirePairs::kWoFieldNumber) == gonio::v1::PairsF64::kWoFieldNumber);
-
-std::size_t pairs_size(const PairSlices& pairs) {
-  return array_size(WirePairs::kWiFieldNumber, pairs.wi) +
-         array_size(WirePairs::kWoFieldNumber, pairs.wo);
+// The arrays' fields, or that of the message they are within.
+std::size_t content_size(const RequestArrays& arrays) {
+  std::size_t size = 0;
+  for (const auto& one : arrays.arrays) size += array_size(one.number, one.data);
+  return size;
 }
 
-std::uint32_t pairs_number(const PairSlices& pairs) {
-  return pairs.is_f64 ? EvaluateRequest::kPairsF64FieldNumber : EvaluateRequest::kPairsFieldNumber;
+std::size_t size_of(const RequestArrays& arrays) {
+  const std::size_t content = content_size(arrays);
+  return arrays.within == 0 ? content : header_size(arrays.within, content) + content;
 }
 
-void add_request(Gather& out, std::string_view head, const PairSlices* pairs) {
+void add_request(Gather& out, std::string_view head, const RequestArrays& arrays) {
   out.text() += head;
-  if (pairs == nullptr) return;
-  put_header(out.text(), pairs_number(*pairs), pairs_size(*pairs));
-  out.add_array(WirePairs::kWiFieldNumber, pairs->wi);
-  out.add_array(WirePairs::kWoFieldNumber, pairs->wo);
+  if (arrays.within != 0) put_header(out.text(), arrays.within, content_size(arrays));
+  for (const auto& one : arrays.arrays) out.add_array(one.number, one.data);
 }
 
-std::uint32_t values_number(const ResponseParts& parts) {
-  return parts.is_f64 ? EvaluateResponse::kValuesF64FieldNumber
-                      : EvaluateResponse::kValuesFieldNumber;
-}
-
-void add_response(Gather& out, const std::string& head, const ResponseParts& parts) {
-  out.text() += head;
-  out.add_array(EvaluateResponse::kFlagsFieldNumber, parts.flags);
-  out.add_array(values_number(parts), parts.values);
+// In the order of their numbers, as the generated code has them.
+template <class Head>
+std::array<RequestArrays::One, 4> arrays_of(const ResponsePartsOf<Head>& parts) {
+  constexpr ArrayNumbers kNumbers = array_numbers<Head>();
+  return {{{kNumbers.flags, parts.flags},
+           {kNumbers.values.of(parts.is_f64), parts.values},
+           {kNumbers.pdf.of(parts.is_f64), parts.pdf},
+           {kNumbers.wo.of(parts.is_f64), parts.wo}}};
 }
 
 void put_number(std::string& out, std::uint32_t number, std::uint64_t value) {
@@ -91,55 +87,80 @@ void put_number(std::string& out, std::uint32_t number, std::uint64_t value) {
 
 }  // namespace
 
-grpc::ByteBuffer encode_request(std::string_view head, const PairSlices* pairs) {
+RequestArrays::RequestArrays(const PairSlices& pairs)
+    : within(pairs.is_f64 ? gonio::v1::EvaluateRequest::kPairsF64FieldNumber
+                          : gonio::v1::EvaluateRequest::kPairsFieldNumber),
+      arrays{{{gonio::v1::Pairs::kWiFieldNumber, pairs.wi},
+              {gonio::v1::Pairs::kWoFieldNumber, pairs.wo}}} {
+  using gonio::v1::Pairs, gonio::v1::PairsF64;
+  static_assert(static_cast<int>(Pairs::kWiFieldNumber) == PairsF64::kWiFieldNumber);
+  static_assert(static_cast<int>(Pairs::kWoFieldNumber) == PairsF64::kWoFieldNumber);
+}
+
+RequestArrays::RequestArrays(const SampleSlices& samples) {
+  using Wire = gonio::v1::SampleRequest;
+  constexpr std::uint32_t kWi[] = {Wire::kWiFieldNumber, Wire::kWiF64FieldNumber};
+  constexpr std::uint32_t kXi[] = {Wire::kXiFieldNumber, Wire::kXiF64FieldNumber};
+  const std::size_t type = samples.is_f64 ? 1 : 0;
+  arrays = {{{kWi[type], samples.wi}, {kXi[type], samples.xi}}};
+}
+
+grpc::ByteBuffer encode_request(std::string_view head, const RequestArrays& arrays) {
   Gather out;
-  add_request(out, head, pairs);
+  add_request(out, head, arrays);
   return out.finish();
 }
 
 grpc::ByteBuffer encode_stream_request(std::uint64_t sequence, std::uint32_t slot,
-                                       std::string_view head, const PairSlices* pairs) {
-  using Wire = gonio::v1::EvaluateStreamRequest;
-  std::size_t size = head.size();
-  if (pairs != nullptr) {
-    const std::size_t content = pairs_size(*pairs);
-    size += header_size(pairs_number(*pairs), content) + content;
-  }
+                                       std::string_view head, const RequestArrays& arrays) {
   Gather out;
-  put_number(out.text(), Wire::kSequenceFieldNumber, sequence);
-  put_number(out.text(), Wire::kSlotFieldNumber, slot);
-  put_header(out.text(), Wire::kEvaluateFieldNumber, size);
-  add_request(out, head, pairs);
+  put_number(out.text(), Numbers::kSequence, sequence);
+  put_number(out.text(), Numbers::kSlot, slot);
+  put_header(out.text(), Numbers::kRequest, head.size() + size_of(arrays));
+  add_request(out, head, arrays);
   return out.finish();
 }
 
-grpc::ByteBuffer encode_response(const ResponseParts& parts) {
+template <class Head>
+grpc::ByteBuffer encode_response(const ResponsePartsOf<Head>& parts) {
   Gather out;
-  add_response(out, parts.head.SerializeAsString(), parts);
+  out.text() += parts.head.SerializeAsString();
+  for (const auto& [number, data] : arrays_of(parts)) out.add_array(number, data);
   return out.finish();
 }
 
-grpc::ByteBuffer encode_stream_response(std::uint64_t sequence, const ResponseParts& parts) {
-  using Wire = gonio::v1::EvaluateStreamResponse;
+grpc::ByteBuffer encode_response(const gonio::v1::IntegrateResponse& response) {
+  const grpc::Slice slice(response.SerializeAsString());
+  return {&slice, 1};
+}
+
+template <class Head>
+grpc::ByteBuffer encode_stream_response(std::uint64_t sequence,
+                                        const ResponsePartsOf<Head>& parts) {
   const std::string head = parts.head.SerializeAsString();
-  const std::size_t size = head.size() +
-                           array_size(EvaluateResponse::kFlagsFieldNumber, parts.flags) +
-                           array_size(values_number(parts), parts.values);
+  const auto arrays = arrays_of(parts);
+  std::size_t size = head.size();
+  for (const auto& [number, data] : arrays) size += array_size(number, data);
   Gather out;
-  put_number(out.text(), Wire::kSequenceFieldNumber, sequence);
-  put_header(out.text(), Wire::kEvaluateFieldNumber, size);
-  add_response(out, head, parts);
+  put_number(out.text(), Numbers::kSequence, sequence);
+  put_header(out.text(), Numbers::kAnswer, size);
+  out.text() += head;
+  for (const auto& [number, data] : arrays) out.add_array(number, data);
   return out.finish();
 }
 
 grpc::ByteBuffer encode_stream_error(std::uint64_t sequence, const gonio::v1::ErrorDetail& error) {
-  using Wire = gonio::v1::EvaluateStreamResponse;
   const std::string content = error.SerializeAsString();
   Gather out;
-  put_number(out.text(), Wire::kSequenceFieldNumber, sequence);
-  put_header(out.text(), Wire::kErrorFieldNumber, content.size());
+  put_number(out.text(), Numbers::kSequence, sequence);
+  put_header(out.text(), Numbers::kError, content.size());
   out.text() += content;
   return out.finish();
 }
+
+template grpc::ByteBuffer encode_response(const ResponseParts&);
+template grpc::ByteBuffer encode_response(const SampleResponseParts&);
+template grpc::ByteBuffer encode_stream_response(std::uint64_t, const ResponseParts&);
+template grpc::ByteBuffer encode_stream_response(std::uint64_t, const SampleResponseParts&);
 
 }  // namespace gonio::wire

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "wire/numbers.h"
+
 namespace gonio::wire {
 namespace {
 
@@ -18,12 +20,11 @@ std::size_t sum_of(const SliceBytes& bytes, Range range, std::uint32_t number, c
 }
 
 std::size_t in_request(const SliceBytes& bytes, Range range) {
-  return sum_of(bytes, range, gonio::v1::EvaluateRequest::kMaterialFieldNumber,
-                [](Range material) { return material.size(); });
+  return sum_of(bytes, range, kMaterial, [](Range material) { return material.size(); });
 }
 
 std::size_t in_stream_request(const SliceBytes& bytes, Range range) {
-  return sum_of(bytes, range, gonio::v1::EvaluateStreamRequest::kEvaluateFieldNumber,
+  return sum_of(bytes, range, StreamNumbers::kRequest,
                 [&](Range request) { return in_request(bytes, request); });
 }
 
@@ -35,14 +36,16 @@ Outcome check_material_size(std::size_t bytes) {
                    "at most " + std::to_string(kMaxMaterialBytes) + " bytes");
 }
 
-template <>
-Outcome check_material<Request>(const SliceBytes& bytes, Range range) {
-  return check_material_size(in_request(bytes, range));
+template <class Decoded>
+Outcome check_material(const SliceBytes& bytes, Range range) {
+  constexpr bool kIsChunk = requires(Decoded d) { d.sequence; };
+  return check_material_size(kIsChunk ? in_stream_request(bytes, range) : in_request(bytes, range));
 }
 
-template <>
-Outcome check_material<StreamRequest>(const SliceBytes& bytes, Range range) {
-  return check_material_size(in_stream_request(bytes, range));
-}
+template Outcome check_material<Request>(const SliceBytes&, Range);
+template Outcome check_material<SampleRequest>(const SliceBytes&, Range);
+template Outcome check_material<IntegrateRequest>(const SliceBytes&, Range);
+template Outcome check_material<StreamRequest>(const SliceBytes&, Range);
+template Outcome check_material<SampleStreamRequest>(const SliceBytes&, Range);
 
 }  // namespace gonio::wire

@@ -18,7 +18,7 @@ inline constexpr std::size_t kMaxMaterialBytes = std::size_t{256} << 10;
 Outcome check_material_size(std::size_t bytes);
 
 // The same for all the material that the generated parser would find in a message that is not in
-// the canonical form. `Decoded` is Request or StreamRequest.
+// the canonical form. `Decoded` is one of codec.h's requests or chunks.
 template <class Decoded>
 Outcome check_material(const SliceBytes& bytes, Range range);
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -25,6 +26,7 @@ constexpr int kNodes = MixtureTable::kNodes;
 constexpr int kMaxStrategies = MixtureTable::kMaxLobes + 1;
 constexpr std::size_t kDrawn = 128;   // directions of each strategy
 constexpr double kLeastShare = 0.02;  // so that no noise of this sum starves a lobe
+constexpr double kNothing = 1e-30;    // what g may be where lobes' densities have become 0
 // Without the cosine a sample costs less; worth so much more of the variance.
 constexpr double kWorth = 1.05;
 
@@ -60,7 +62,9 @@ class Quadrature {
         mixture += shares[k] * density_[k][i];
         drawn += density_[k][i];
       }
-      if (!(mixture > 0 && g_[i] > 0)) continue;
+      if (!(g_[i] > kNothing)) continue;
+      // What no strategy draws, no weight can make up for.
+      if (!(mixture > 0)) return std::numeric_limits<double>::infinity();
       const double ratio = g_[i] / mixture;
       const double part = ratio * ratio / (drawn * static_cast<double>(kDrawn));
       moment += part * mixture;
@@ -154,7 +158,7 @@ double best_shares(const Quadrature& at, bool with_cosine, Shares& shares) {
   Shares falls;
   for (int step = 0; step < 50; ++step) {
     const double moment = at.second_moment(shares, falls);
-    if (!(moment > 0)) break;
+    if (!(moment > 0 && std::isfinite(moment))) break;
     for (std::size_t k = 0; k < used; ++k) shares[k] *= falls[k] / moment;
   }
   double sum = 0;

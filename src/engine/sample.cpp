@@ -1,172 +1,15 @@
-// Runs of samples, and of pairs with their densities, through the sampling kernels.
-#include <algorithm>
+// Drawing batches of samples.
 #include <bit>
 #include <cassert>
-#include <cstring>
 
 #include "engine/direction_flags.h"
 #include "engine/flush_to_zero.h"
-#include "engine/layout.h"
-#include "engine/strategies.h"
+#include "engine/sampling_run.h"
 
 namespace gonio {
 namespace {
 
-constexpr std::size_t kAlignment = 64;
-constexpr std::size_t kMaxStrategies = MixtureTable::kMaxLobes + 1;
-constexpr std::size_t kScratchValues = 8192;  // pairs x channels; at least kGrain of the most
-constexpr std::size_t kGrain = 16;            // pairs of the widest packet
-
-template <class In, class Out>
-struct Scratch {
-  alignas(kAlignment) In wi[3][kRun];
-  alignas(kAlignment) In wo[3][kRun];
-  alignas(kAlignment) Out shares[kMaxStrategies][kRun];
-  alignas(kAlignment) Out pdf[kRun];
-  alignas(kAlignment) Out values[kScratchValues];
-  alignas(kAlignment) std::uint8_t flags[kRun];
-};
-
-std::size_t padded_to(const KernelTable& table, std::size_t n) {
-  const auto width = static_cast<std::size_t>(table.width);
-  return (n + width - 1) / width * width;
-}
-
-// Calls back with the number of each flagged pair: most have no flag, and are passed by eight at a
-// time.
-template <class Found>
-void for_flagged(const std::uint8_t* flags, std::size_t n, const Found& found) {
-  for (std::size_t i = 0; i < n; i += sizeof(std::uint64_t)) {
-    std::uint64_t eight = 0;  // kRun and the scratch are whole eights
-    std::memcpy(&eight, flags + i, sizeof eight);
-    if (eight == 0) continue;
-    for (std::size_t k = i; k < std::min(i + sizeof eight, n); ++k) {
-      if (flags[k] != 0) found(k);
-    }
-  }
-}
-
-// A run of pairs on its way: values and densities of all parts, then the whole mixture's.
-template <class In, class Out>
-class Run {
- public:
-  Run(const Sampler& sampler, Isa isa, std::size_t padded, Scratch<In, Out>& scratch)
-      : material_(sampler.material().impl()),
-        sampler_(sampler.impl()),
-        isa_(isa),
-        sampling_(sampling_kernels(isa)),
-        padded_(padded),
-        scratch_(scratch) {
-    std::fill_n(scratch_.flags, padded, std::uint8_t{0});
-  }
-
-  [[nodiscard]] bool is_mixture() const { return sampler_.strategies() > 1; }
-
-  // Values in scratch.values, channel by channel, `padded` apart, and pdfs; with `weigh` the values
-  // become weights.
-  void evaluate(const KernelInput<In>& in, bool weigh) {
-    KernelOutput<Out> out{scratch_.values, padded_, scratch_.flags, false};
-    DensityOutput<Out> density{scratch_.pdf, nullptr, false};
-    std::size_t lobe = 0;
-    for (const MaterialPart& part : material_.parts) {
-      if (draws(part, sampler_)) {
-        density.share = is_mixture() ? scratch_.shares[lobe] : nullptr;
-        evaluate_part(part, sampler_, isa_, in, out, density);
-        density.accumulate = true;
-        ++lobe;
-      } else {
-        kernel_of(part.kernels(kernels(isa_)), In(), Out())(part.constants.get(), in, out);
-      }
-      out.accumulate = true;
-    }
-    const FinishRun<In, Out> finish{{in.wo[0], in.wo[1], in.wo[2]},
-                                    padded_,
-                                    scratch_.pdf,
-                                    sampler_.cosine,
-                                    sampler_.lobes > 0,
-                                    is_mixture() ? scratch_.shares[sampler_.lobes] : nullptr,
-                                    scratch_.values,
-                                    padded_,
-                                    weigh ? material_.channels : 0};
-    finish_of(sampling_, In(), Out())(finish);
-  }
-
-  // The shares of the strategies, if there are several; `xi` and `chosen` may be null.
-  void share(const In* const (&wi)[3], In* xi, In* chosen) {
-    if (!is_mixture()) return;
-    if constexpr (std::is_same_v<In, Out>) {
-      ShareRun<Out> run{{wi[0], wi[1], wi[2]}, padded_, {}, xi, chosen};
-      for (std::size_t k = 0; k < kMaxStrategies; ++k) run.shares[k] = scratch_.shares[k];
-      share_of(sampling_, Out())(sampler_.table, run);
-    } else {
-      alignas(kAlignment) Out wide[3][kRun];
-      for (int c = 0; c < 3; ++c) std::copy_n(wi[c], padded_, wide[c]);
-      ShareRun<Out> run{{wide[0], wide[1], wide[2]}, padded_, {}, nullptr, nullptr};
-      for (std::size_t k = 0; k < kMaxStrategies; ++k) run.shares[k] = scratch_.shares[k];
-      share_of(sampling_, Out())(sampler_.table, run);
-    }
-  }
-
-  void draw(DrawRun<In> run) {
-    if (!is_mixture()) run.chosen = nullptr;
-    for (const MaterialPart& part : material_.parts) {
-      if (!draws(part, sampler_)) continue;
-      draw_part(part, sampler_, sampling_, run);
-      ++run.strategy;
-    }
-    if (sampler_.cosine) cosine_of(sampling_, In())(nullptr, run);
-  }
-
-  // What is flagged has no density.
-  std::uint8_t clear_flagged(std::size_t n) {
-    std::uint8_t any = 0;
-    for_flagged(scratch_.flags, n, [&](std::size_t i) {
-      any = static_cast<std::uint8_t>(any | scratch_.flags[i]);
-      scratch_.pdf[i] = 0;
-      for (int c = 0; c < material_.channels; ++c)
-        scratch_.values[static_cast<std::size_t>(c) * padded_ + i] = 0;
-    });
-    return any;
-  }
-
- private:
-  const Material::Impl& material_;
-  const Sampler::Impl& sampler_;
-  Isa isa_;
-  const SamplingTable& sampling_;
-  std::size_t padded_;
-  Scratch<In, Out>& scratch_;
-};
-
-std::size_t run_length(const Sampler& sampler) {
-  const auto channels = static_cast<std::size_t>(sampler.material().channels());
-  return std::min(kRun, kScratchValues / channels / kGrain * kGrain);
-}
-
-template <class In, class Out>
-std::uint8_t evaluate_all(const Sampler& sampler, const Batch<In, Out>& batch, Out* pdf, Isa isa) {
-  assert(is_supported(isa));
-  const FlushToZero flush;
-  const KernelTable& table = kernels(isa);
-  Scratch<In, Out> scratch;
-  std::uint8_t any = 0;
-  for (std::size_t begin = 0, n = 0; begin < batch.count; begin += n) {
-    n = std::min(run_length(sampler), batch.count - begin);
-    const std::size_t padded = padded_to(table, n);
-    Run<In, Out> run(sampler, isa, padded, scratch);
-    KernelInput<In> in{{}, {}, padded};
-    lay_out(advanced(batch.wi, begin), n, padded, table, scratch.wi, in.wi);
-    lay_out(advanced(batch.wo, begin), n, padded, table, scratch.wo, in.wo);
-    run.share(in.wi, nullptr, nullptr);
-    run.evaluate(in, false);
-    any = static_cast<std::uint8_t>(any | run.clear_flagged(n));
-    copy_values(scratch.values, padded, sampler.material().channels(), n, table, batch.values,
-                begin);
-    std::copy_n(scratch.pdf, n, pdf + begin);
-    if (batch.flags != nullptr) std::copy_n(scratch.flags, n, batch.flags + begin);
-  }
-  return any;
-}
+using namespace sampling;
 
 // The numbers of samples, by which bad ones are found.
 template <class T>
@@ -305,15 +148,6 @@ SampleReport sample(const Sampler& s, const SampleBatch<float>& b, Isa isa) {
 }
 SampleReport sample(const Sampler& s, const SampleBatch<double>& b, Isa isa) {
   return sample_all(s, b, isa);
-}
-std::uint8_t evaluate(const Sampler& s, const Batch<float, float>& b, float* pdf, Isa isa) {
-  return evaluate_all(s, b, pdf, isa);
-}
-std::uint8_t evaluate(const Sampler& s, const Batch<float, double>& b, double* pdf, Isa isa) {
-  return evaluate_all(s, b, pdf, isa);
-}
-std::uint8_t evaluate(const Sampler& s, const Batch<double, double>& b, double* pdf, Isa isa) {
-  return evaluate_all(s, b, pdf, isa);
 }
 
 }  // namespace gonio

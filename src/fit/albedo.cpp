@@ -17,7 +17,8 @@ struct Rings {
   explicit Rings(double theta) {
     const double s = std::sin(theta), c = std::cos(theta);
     for (std::size_t i = 0; i < kRings; ++i) {
-      const double t = (static_cast<double>(i) + 0.5) / kRings, angle = std::numbers::pi * t * t * t;
+      const double t = (static_cast<double>(i) + 0.5) / kRings,
+                   angle = std::numbers::pi * t * t * t;
       const double step = 3 * std::numbers::pi * t * t / kRings;
       for (std::size_t j = 0; j < kSpokes; ++j) {
         const double turn = 2 * std::numbers::pi * (static_cast<double>(j) + 0.5) / kSpokes;

@@ -15,8 +15,8 @@ constexpr std::array kFine{0.01, 0.001};
 constexpr double kAgree = 1.01;
 constexpr std::size_t kFinalists = 2;
 // A descent that ends so much above the best on the scan's pairs is not the best on more pairs.
-constexpr double kHopeless = 1.1;
-constexpr int kScanPasses = 4;
+constexpr double kHopeless = 1.03;
+constexpr int kScanPasses = 3;
 
 struct Candidate {
   std::vector<double> parameters;
@@ -32,8 +32,8 @@ std::vector<Candidate> descend(const SearchInput& input, const Form& form, Probl
   double best = 1e300;
   int iterations = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    MinimiseOptions options = minimise_options(input.watch, "starts", 15, best);
-    options.tolerance = 1e-3;
+    MinimiseOptions options = minimise_options(input.watch, "starts", 30, best);
+    options.tolerance = 2e-4;
     const Minimum end = minimise_by_stages(problem, nodes[i].parameters, kCoarse, options);
     const double objective = problem.cost(end.parameters, true, input.watch.stop);
     iterations += end.iterations;
@@ -53,13 +53,14 @@ std::vector<Candidate> descend(const SearchInput& input, const Form& form, Probl
   return ends;
 }
 
-// Are the shapes of two ends the same, within a hundredth of what a scan covers?
+// Are the shapes of two ends the same, within a twentieth of what a scan covers? Descents on the
+// scan's pairs are not run to their very end.
 bool same(const Form& form, const Candidate& a, const Candidate& b) {
   for (std::size_t i = 0; i < form.shapes.size(); ++i) {
     const ShapeParameter& shape = form.shapes[i];
-    const double range = shape.scale.to_search(shape.scan_upper) -
-                         shape.scale.to_search(shape.scan_lower);
-    if (std::abs(a.parameters[i] - b.parameters[i]) > 0.01 * range) return false;
+    const double range =
+        shape.scale.to_search(shape.scan_upper) - shape.scale.to_search(shape.scan_lower);
+    if (std::abs(a.parameters[i] - b.parameters[i]) > 0.05 * range) return false;
   }
   return true;
 }
@@ -103,7 +104,7 @@ Search search_automatic(const SearchInput& input) {
   // Another seed than the fit's: a sample that misleads does so once.
   const Data pairs = subset(input.data, input.options.scan_pairs, input.options.seed + 1);
   Problem problem(input.form, pairs, input.loss, input.options.cosine);
-  const Scan nodes = scan(problem, input.options.starts, input.watch.stop);
+  const Scan nodes = scan(problem, input.options.starts, input.watch);
   if (nodes.stopped || nodes.best.empty()) return search;
   search.stages.push_back({"scan", nodes.best.front().cost, pairs.size(),
                            static_cast<int>(nodes.nodes), cpu_seconds() - begin});

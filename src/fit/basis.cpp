@@ -76,8 +76,7 @@ void BasisAt::measure_peaks() {
   }
 }
 
-void BasisAt::evaluate_lobe(std::size_t index, const Batch<float, double>& batch,
-                            Basis& to) const {
+void BasisAt::evaluate_lobe(std::size_t index, const Batch<float, double>& batch, Basis& to) const {
   const FormLobe& form = form_.lobes[index];
   const Isa isa = best_isa();
   Batch<float, double> here = batch;

@@ -26,7 +26,8 @@ struct Basis {
 
 class BasisAt {
  public:
-  // The columns for the given shapes, in search scale. Shapes out of the models' bounds are clamped.
+  // The columns for the given shapes, in search scale. Shapes out of the models' bounds are
+  // clamped.
   BasisAt(const Form& form, std::span<const double> shapes, bool derivatives);
 
   void evaluate(const Data& data, std::size_t first, std::size_t count, Basis& to) const;
@@ -50,8 +51,8 @@ class BasisAt {
 
   const Form& form_;
   std::vector<Lobe> lobes_;
-  std::vector<double> peaks_;       // a column
-  std::vector<double> peak_slopes_; // d log(peak) / du, [shape][column]
+  std::vector<double> peaks_;        // a column
+  std::vector<double> peak_slopes_;  // d log(peak) / du, [shape][column]
   std::size_t shape_count_ = 0;
 };
 

@@ -38,14 +38,18 @@ struct ParameterReport {
   std::string field;  // "specular[0].parameters.eta"
   int channel = -1;   // -1: shared by all
   double value = 0, standard_error = 0;
-  bool at_bound = false;
+  bool at_bound = false;   // of the model's table; it has no standard error then
+  bool determined = true;  // false: the data say nothing of it; the interval is its whole range
   double lower = 0, upper = 0;  // 95 % interval; for a logarithmic parameter symmetric in its log
 };
 
-// Directions in which the parameters can move and the data do not mind.
+// Parameters that can move together and the data hardly mind: by an eigenvector of the curvature
+// (scaled to a unit diagonal) with next to no curvature, or two of a material's numbers whose
+// estimates go together.
 struct Indistinct {
   std::vector<std::string> fields;
-  double eigenvalue = 0;  // of the curvature scaled to a unit diagonal; the largest is about 1
+  double eigenvalue = 0;
+  double correlation = 1;  // of two numbers; 1 for an eigenvector
 };
 
 // Where a parameter can be, the others following, with an objective within 1 % of the best.
@@ -57,7 +61,7 @@ struct Profile {
 };
 
 struct Albedo {
-  double theta = 0;             // radians, of incidence
+  double theta = 0;  // radians, of incidence
   std::vector<double> channels;
 };
 

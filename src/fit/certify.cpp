@@ -84,9 +84,9 @@ FitResult certify(const SearchInput& input, const Data& data, Search search) {
 
 FitResult nothing_to_fit(const Data& data, const Options& options) {
   FitResult result{{}, begun(data, options)};
-  result.certificate.reason =
-      "no pair is left to fit: " + std::to_string(data.left_out.total()) +
-      " were left out, and " + std::to_string(data.size()) + " are outside the angles";
+  result.certificate.reason = "no pair is left to fit: " + std::to_string(data.left_out.total()) +
+                              " were left out, and " + std::to_string(data.size()) +
+                              " are outside the angles";
   return result;
 }
 

@@ -55,14 +55,14 @@ Outcome check_lengths(std::size_t wi, std::size_t wo, std::size_t values, int ch
                       std::size_t weights) {
   if (channels < 1 || channels > kMaxChannels)
     return bad_value("channels", std::to_string(channels), "1 to " + std::to_string(kMaxChannels));
-  if (wi % 3 != 0)
-    return bad_value("wi", std::to_string(wi) + " numbers", "three a pair");
+  if (wi % 3 != 0) return bad_value("wi", std::to_string(wi) + " numbers", "three a pair");
   const auto check = [](const char* name, std::size_t found, std::size_t expected) -> Outcome {
     if (found == expected) return Ok{};
     return bad_value(name, std::to_string(found) + " numbers", std::to_string(expected));
   };
   if (auto ok = check("wo", wo, wi); !ok) return ok;
-  if (auto ok = check("values", values, wi / 3 * static_cast<std::size_t>(channels)); !ok) return ok;
+  if (auto ok = check("values", values, wi / 3 * static_cast<std::size_t>(channels)); !ok)
+    return ok;
   return weights == 0 ? Outcome(Ok{}) : check("weights", weights, wi / 3);
 }
 
@@ -117,7 +117,8 @@ Result<Data> from_pairs(std::span<const double> wi, std::span<const double> wo,
     kept.push_back(i);
   }
   for (std::size_t c = 0; c < count; ++c) {
-    for (const std::size_t i : kept) data.values.push_back(static_cast<float>(values[i * count + c]));
+    for (const std::size_t i : kept)
+      data.values.push_back(static_cast<float>(values[i * count + c]));
   }
   return data;
 }

@@ -16,7 +16,8 @@ constexpr double kRightAngle = 1.5707963267948966;
 Outcome check(const Options& options) {
   const auto number = [](double x) { return std::to_string(x); };
   if (!(options.min_theta >= 0 && options.min_theta < options.max_theta))
-    return bad_value("options.min_theta", number(options.min_theta), "0 to below max_theta, in radians");
+    return bad_value("options.min_theta", number(options.min_theta),
+                     "0 to below max_theta, in radians");
   if (!(options.max_theta <= kRightAngle + 1e-9))
     return bad_value("options.max_theta", number(options.max_theta), "at most pi/2, in radians");
   if (!(options.huber > 0) || !std::isfinite(options.huber))
@@ -57,7 +58,8 @@ Result<FitResult> fit(const Data& data, const MaterialSpec& spec, const Options&
   const Loss loss{options.objective, 0, threshold_of(fitted, options)};
   const SearchInput input{*form, fitted, options, watch, loss};
   if (fitted.size() == 0) return nothing_to_fit(data, options);
-  Search search = options.strategy == Strategy::staged ? search_staged(input) : search_automatic(input);
+  Search search =
+      options.strategy == Strategy::staged ? search_staged(input) : search_automatic(input);
   if (watch.stop && watch.stop())
     return Error{ErrorCode::cancelled, "the fit was cancelled", {}, {}, {}};
   FitResult result = certify(input, data, std::move(search));

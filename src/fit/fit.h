@@ -8,8 +8,8 @@
 //
 // Shape parameters (exponents, roughness, eta, k, mix, sigma) are shared by the channels; colours
 // (rd, rs, f0, scale) are each channel's own. The result is the same for the same data, options and
-// instruction set, whatever the number of threads: one fit runs on the thread that calls it, and any
-// number may run side by side.
+// instruction set, whatever the number of threads: one fit runs on the thread that calls it, and
+// any number may run side by side.
 #pragma once
 
 #include <functional>
@@ -33,22 +33,22 @@ enum class Strategy : std::uint8_t {
 struct Options {
   Objective objective = Objective::l1;
   Strategy strategy = Strategy::automatic;
-  bool anisotropic = false;     // nu and nv, alpha_x and alpha_y each by themselves
-  bool cosine = true;           // residuals are of f cos(theta_i), or of f
-  double huber = 0.1;           // Huber's threshold, as a part of the mean of m cos
-  double min_theta = 0;         // radians; pairs whose larger angle is in (min, max] are fitted
+  bool anisotropic = false;  // nu and nv, alpha_x and alpha_y each by themselves
+  bool cosine = true;        // residuals are of f cos(theta_i), or of f
+  double huber = 0.1;        // Huber's threshold, as a part of the mean of m cos
+  double min_theta = 0;      // radians; pairs whose larger angle is in (min, max] are fitted
   double max_theta = 1.5707963267948966;
-  std::size_t starts = 6;       // nodes of the scan that are descended from
+  std::size_t starts = 6;                              // nodes of the scan that are descended from
   std::size_t fit_pairs = 20'000, scan_pairs = 2'000;  // of the stratified subsets
-  bool polish = false;          // a last descent on all pairs
-  std::uint64_t seed = 1;       // of the subsets
+  bool polish = false;                                 // a last descent on all pairs
+  std::uint64_t seed = 1;                              // of the subsets
 };
 
 struct Progress {
   std::string_view stage;  // "scan", "starts", "fit", "polish", "certificate"
   int iteration = 0;
-  double objective = 0;    // at present, as a part of that of f = 0
-  double best = 0;         // so far in this stage
+  double objective = 0;  // at present, as a part of that of f = 0
+  double best = 0;       // so far in this stage
 };
 
 struct Watch {

@@ -65,8 +65,10 @@ Columns columns_of(const CheckedLobe& lobe,
 // Where a refractive index is searched, and how closely it may come to 1: at 1 + 1e-3 a lobe's
 // reflectance is its limit for an index of 1 to a thousandth, and its scale still within bounds.
 constexpr double kLeastEta = 1 + 1e-3;
-// What is added to a logarithmic parameter that may be 0.
-constexpr double kLogOffset = 0.01;
+// What is added to a logarithmic parameter that may be 0: near 0 its scale is linear.
+constexpr double kLogOffset = 1;
+
+constexpr double kLeastScannedExponent = 0.3;
 
 ShapeParameter shape_of(const Parameter& p, bool dielectric) {
   ShapeParameter shape{};
@@ -78,6 +80,8 @@ ShapeParameter shape_of(const Parameter& p, bool dielectric) {
   if (shape.scale.logarithmic && p.lower <= 0) shape.scale.offset = -kLogOffset;
   shape.scan_lower = p.lower;
   shape.scan_upper = p.upper;
+  // At an exponent of 0 a lobe has no shape to descend by; a descent may still go there.
+  if (shape.scale.offset < 0) shape.scan_lower = kLeastScannedExponent;
   if (p.name == "eta" && dielectric) {
     shape.scale.offset = 1;
     shape.lower = kLeastEta;
@@ -87,6 +91,7 @@ ShapeParameter shape_of(const Parameter& p, bool dielectric) {
     shape.scan_upper = 10;
   } else if (p.name == "k") {
     shape.scale = {true, -kLogOffset};
+    shape.scan_lower = 0;
     shape.scan_upper = 10;
   }
   return shape;
@@ -117,8 +122,7 @@ void add_shapes(const NamedLobe& named, const CheckedLobe& lobe,
   for (const Parameter& p : lobe.model->parameters) {
     if (p.kind == Kind::word || is_colour(p) || !is_used(p, words)) continue;
     const bool given = named.spec->parameters.contains(p.name);
-    ShapeParameter* partner =
-        options.anisotropic ? nullptr : tied_to(p.name, form.shapes, index);
+    ShapeParameter* partner = options.anisotropic ? nullptr : tied_to(p.name, form.shapes, index);
     if (partner != nullptr) {
       partner->names.emplace_back(p.name);
       continue;
@@ -140,11 +144,15 @@ Counts counts_of(Columns columns, bool alone) {
   switch (columns) {
     case Columns::diffuse:
     case Columns::scaled:
-    case Columns::reflectance: return {1, 1};
-    case Columns::quadratic_diffuse: return {2, 1};
-    case Columns::schlick: return {2, 2};
+    case Columns::reflectance:
+      return {1, 1};
+    case Columns::quadratic_diffuse:
+      return {2, 1};
+    case Columns::schlick:
+      return {2, 2};
     // Its own diffuse term only where there is no base.
-    case Columns::ashikhmin_shirley: return alone ? Counts{3, 3} : Counts{2, 2};
+    case Columns::ashikhmin_shirley:
+      return alone ? Counts{3, 3} : Counts{2, 2};
   }
   return {};
 }
@@ -194,12 +202,22 @@ LobeSpec column_lobe(const Form& form, std::size_t index, std::span<const double
   set_shapes(form, index, shapes, spec);
   using Numbers = std::vector<double>;
   switch (lobe.columns) {
-    case Columns::diffuse: spec.parameters["rd"] = Numbers{1}; break;
+    case Columns::diffuse:
+      spec.parameters["rd"] = Numbers{1};
+      break;
     // Two points of the parabola; its coefficients are worked out from them.
-    case Columns::quadratic_diffuse: spec.parameters["rd"] = Numbers{0.5, 1}; break;
-    case Columns::scaled: spec.parameters["scale"] = Numbers{1}; break;
-    case Columns::reflectance: spec.parameters["rs"] = Numbers{1}; break;
-    case Columns::schlick: spec.parameters["f0"] = Numbers{1, 0}; break;
+    case Columns::quadratic_diffuse:
+      spec.parameters["rd"] = Numbers{0.5, 1};
+      break;
+    case Columns::scaled:
+      spec.parameters["scale"] = Numbers{1};
+      break;
+    case Columns::reflectance:
+      spec.parameters["rs"] = Numbers{1};
+      break;
+    case Columns::schlick:
+      spec.parameters["f0"] = Numbers{1, 0};
+      break;
     case Columns::ashikhmin_shirley:
       spec.parameters["rs"] = lobe.column_count == 3 ? Numbers{1, 0, 0} : Numbers{1, 0};
       if (lobe.column_count == 3) {

@@ -35,14 +35,21 @@ struct ShapeParameter {
   std::vector<std::string> names;  // one, or two that are held equal (alpha_x and alpha_y)
   std::string field;               // as errors name it, e.g. "specular[0].parameters.m"
   SearchScale scale;
-  double lower, upper, start;            // of the parameter
-  double scan_lower, scan_upper;         // where a scan looks
-  bool given = false;                    // is `start` the caller's?
+  double lower, upper, start;     // of the parameter
+  double scan_lower, scan_upper;  // where a scan looks
+  bool given = false;             // is `start` the caller's?
 };
 
 struct FormLobe {
   // Where its coefficients come from and go to.
-  enum class Columns { diffuse, quadratic_diffuse, scaled, reflectance, schlick, ashikhmin_shirley };
+  enum class Columns {
+    diffuse,
+    quadratic_diffuse,
+    scaled,
+    reflectance,
+    schlick,
+    ashikhmin_shirley
+  };
   LobeSpec words;  // the model and its words, no numbers
   Columns columns = Columns::scaled;
   std::size_t first_column = 0, column_count = 1;

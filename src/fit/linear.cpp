@@ -49,7 +49,8 @@ Eigen::VectorXd solve_bounded(const Eigen::MatrixXd& A, const Eigen::VectorXd& b
       const At state = at[static_cast<std::size_t>(i)];
       if (state == At::free || !(A(i, i) > 0)) continue;
       const double inward = state == At::lower ? pull[i] : -pull[i];
-      const double gain = inward / std::sqrt(A(i, i) * (1e-300 + b.squaredNorm() / A.diagonal().maxCoeff()));
+      const double gain =
+          inward / std::sqrt(A(i, i) * (1e-300 + b.squaredNorm() / A.diagonal().maxCoeff()));
       if (gain > best) best = gain, chosen = i;
     }
     if (chosen < 0) break;

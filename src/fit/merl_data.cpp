@@ -128,7 +128,8 @@ Data from_table(const MeasuredTable& table) {
   }
   data.values.reserve(cells.size() * static_cast<std::size_t>(Table::kChannels));
   for (std::size_t c = 0; c < static_cast<std::size_t>(Table::kChannels); ++c) {
-    for (const std::size_t cell : cells) data.values.push_back(table.data()[cell * Table::kChannels + c]);
+    for (const std::size_t cell : cells)
+      data.values.push_back(table.data()[cell * Table::kChannels + c]);
   }
   return data;
 }

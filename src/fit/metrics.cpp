@@ -67,8 +67,7 @@ struct RegionMasks {
     const double close = std::cos(25 * std::numbers::pi / 180);
     const auto at = [&](const std::vector<float>& all) { return part(all, first, n); };
     const Eigen::ArrayXd along = at(data.wi[2]) * at(data.wo[2]);
-    const Eigen::ArrayXd across =
-        at(data.wi[0]) * at(data.wo[0]) + at(data.wi[1]) * at(data.wo[1]);
+    const Eigen::ArrayXd across = at(data.wi[0]) * at(data.wo[0]) + at(data.wi[1]) * at(data.wo[1]);
     mirror = (along - across > close).cast<double>();
     light = (along + across > close).cast<double>() * (1 - mirror);
   }

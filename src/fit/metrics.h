@@ -40,7 +40,8 @@ struct Region {
   double measured = 0, fitted = 0, error = 0;  // error: w |f - m| cos
 };
 
-// By where wo is: about the mirror direction of wi (25 degrees), else about wi itself, else anywhere.
+// By where wo is: about the mirror direction of wi (25 degrees), else about wi itself, else
+// anywhere.
 struct Regions {
   Region mirror, toward_light, elsewhere;
 };

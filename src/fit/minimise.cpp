@@ -9,7 +9,8 @@
 namespace gonio::fit {
 namespace {
 
-// Eigenvalues below this part of the largest (of the matrix scaled to a unit diagonal) are rounding.
+// Eigenvalues below this part of the largest (of the matrix scaled to a unit diagonal) are
+// rounding.
 constexpr double kNull = 1e-14;
 
 // R and r with R'R = H and R'r = g on H's range.
@@ -132,7 +133,8 @@ Minimum minimise(const Problem& problem, std::span<const double> start,
   if (free.empty()) return result;
   const Bounds bounds = bounds_of(problem.form(), problem.data().channels);
   std::vector<double> x;
-  for (const std::size_t i : free) x.push_back(std::clamp(start[i], bounds.lower[i], bounds.upper[i]));
+  for (const std::size_t i : free)
+    x.push_back(std::clamp(start[i], bounds.lower[i], bounds.upper[i]));
   ceres::Problem ceres_problem;
   ceres_problem.AddResidualBlock(new Block(problem, start, free, options.stop), nullptr, x.data());
   for (std::size_t i = 0; i < free.size(); ++i) {
@@ -153,14 +155,38 @@ Minimum minimise(const Problem& problem, std::span<const double> start,
   return result;
 }
 
+namespace {
+
+// Holds what a bound holds at `x`: a step over all parameters that is cut there would be short and
+// askew for the others.
+std::vector<bool> not_held(const Problem& problem, std::span<const double> x,
+                           const MinimiseOptions& options) {
+  std::vector<bool> free = options.free;
+  if (free.empty()) free.assign(x.size(), true);
+  const Bounds bounds = bounds_of(problem.form(), problem.data().channels);
+  const Equations e = problem.equations(x, options.stop);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double slope = e.gradient[static_cast<Eigen::Index>(i)];
+    const bool held =
+        (x[i] <= bounds.lower[i] && slope > 0) || (x[i] >= bounds.upper[i] && slope < 0);
+    if (held) free[i] = false;
+  }
+  return free;
+}
+
+}  // namespace
+
 Minimum minimise_by_stages(Problem& problem, std::span<const double> start,
                            std::span<const double> smooth_parts, const MinimiseOptions& options) {
   Minimum best{{start.begin(), start.end()}, 0, 0, true};
   for (const double part : smooth_parts) {
     if (options.stop && options.stop()) break;
     if (problem.loss().absolute())
-      problem.set_smooth(std::max(part * problem.mean_residual(best.parameters, options.stop), 1e-12));
-    Minimum next = minimise(problem, best.parameters, options);
+      problem.set_smooth(
+          std::max(part * problem.mean_residual(best.parameters, options.stop), 1e-12));
+    MinimiseOptions stage = options;
+    stage.free = not_held(problem, best.parameters, options);
+    Minimum next = minimise(problem, best.parameters, stage);
     next.iterations += best.iterations;
     best = std::move(next);
     if (!problem.loss().absolute()) break;

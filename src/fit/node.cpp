@@ -37,7 +37,8 @@ class Channel {
     for (int pass = 0;; ++pass) {
       weighted_ = columns_.colwise() * work_;
       x = solve_bounded(columns_.matrix().transpose() * weighted_.matrix(),
-                        weighted_.matrix().transpose() * measured_.matrix(), form.coefficient_upper);
+                        weighted_.matrix().transpose() * measured_.matrix(),
+                        form.coefficient_upper);
       if (quadratic()) set_columns(x[0]);
       predicted_.matrix().noalias() = columns_.matrix() * x;
       residual_ = difference();
@@ -72,10 +73,12 @@ class Channel {
 
   [[nodiscard]] Eigen::ArrayXd difference() const {
     switch (problem_.loss().objective) {
-      case Objective::log: return (1 + predicted_).log() - transformed_;
+      case Objective::log:
+        return (1 + predicted_).log() - transformed_;
       case Objective::cbrt:
         return cube_root(predicted_) - transformed_;
-      default: return predicted_ - transformed_;
+      default:
+        return predicted_ - transformed_;
     }
   }
 

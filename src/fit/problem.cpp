@@ -121,8 +121,7 @@ void Problem::fill_jacobian(const Basis& basis, std::size_t count,
     Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(n);
     for (std::size_t k = 0; k < lobe.column_count; ++k) {
       const double x = coefficients[lobe.first_coefficient + (is_quadratic(lobe) ? 0 : k)];
-      const std::size_t at =
-          static_cast<std::size_t>(p) * form_.columns + lobe.first_column + k;
+      const std::size_t at = static_cast<std::size_t>(p) * form_.columns + lobe.first_column + k;
       sum += (is_quadratic(lobe) && k == 1 ? x * x : x) *
              Eigen::Map<const Eigen::ArrayXd>(&basis.derivatives[at * basis.stride], n);
     }

@@ -29,11 +29,11 @@ struct Equations {
 
 // One channel's pairs of a tile, for sums that a fit does not need but its certificate does.
 struct PairRows {
-  std::size_t first = 0;                 // of the pairs
+  std::size_t first = 0;  // of the pairs
   int channel = 0;
   Eigen::ArrayXd weight;
-  Eigen::ArrayXd predicted, residual;    // f cos, e
-  Eigen::MatrixXd jacobian;              // de / d(shapes, then the channel's coefficients)
+  Eigen::ArrayXd predicted, residual;  // f cos, e
+  Eigen::MatrixXd jacobian;            // de / d(shapes, then the channel's coefficients)
 };
 
 class Problem {

@@ -37,9 +37,9 @@ double held_at(Problem& problem, std::span<const double> best, std::size_t shape
 Profile summarise(const ShapeParameter& shape, std::vector<Point> points) {
   std::sort(points.begin(), points.end(),
             [](const Point& a, const Point& b) { return a.value < b.value; });
-  const auto best = std::min_element(
-      points.begin(), points.end(),
-      [](const Point& a, const Point& b) { return a.objective < b.objective; });
+  const auto best =
+      std::min_element(points.begin(), points.end(),
+                       [](const Point& a, const Point& b) { return a.objective < b.objective; });
   const auto good = [&](const Point& p) { return p.objective <= kAsGood * best->objective; };
   const auto first = std::find_if(points.begin(), points.end(), good);
   const auto last = std::find_if(points.rbegin(), points.rend(), good).base() - 1;
@@ -47,8 +47,8 @@ Profile summarise(const ShapeParameter& shape, std::vector<Point> points) {
   profile.field = shape.field;
   profile.lower = shape.scale.to_parameter(first->value);
   profile.upper = shape.scale.to_parameter(last->value);
-  profile.part = (last->value - first->value) /
-                 (shape.scale.to_search(shape.scan_upper) - shape.scale.to_search(shape.scan_lower));
+  profile.part = (last->value - first->value) / (shape.scale.to_search(shape.scan_upper) -
+                                                 shape.scale.to_search(shape.scan_lower));
   profile.separate = !std::all_of(first, last + 1, good);
   return profile;
 }

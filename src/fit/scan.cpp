@@ -7,14 +7,17 @@
 namespace gonio::fit {
 namespace {
 
-constexpr int kPasses = 4;
+constexpr int kPasses = 3;
 constexpr std::size_t kFinest = 28;  // nodes along a lobe's width: a factor of about 2 in s
-constexpr std::size_t kMostNodes = 900;
+constexpr std::size_t kMostNodes = 500;
+constexpr double kNone = 1e300;  // above every objective
 
 // Nodes along each axis, fewer where there are many axes.
 std::vector<std::size_t> axis_counts(const Form& form) {
   std::vector<std::size_t> counts;
-  for (const ShapeParameter& shape : form.shapes) counts.push_back(is_width(shape) ? kFinest : 6);
+  const std::size_t shapes = form.shapes.size(), gentle = shapes > 3 ? 3 : shapes > 2 ? 5 : 6;
+  for (const ShapeParameter& shape : form.shapes)
+    counts.push_back(is_width(shape) ? kFinest : gentle);
   const auto total = [&] {
     return std::accumulate(counts.begin(), counts.end(), std::size_t{1}, std::multiplies<>());
   };
@@ -98,16 +101,19 @@ std::vector<std::vector<double>> scan_axes(const Form& form) {
   return axes;
 }
 
-Scan scan(const Problem& problem, std::size_t keep, const Stop& stop) {
+Scan scan(const Problem& problem, std::size_t keep, const Watch& watch) {
   const auto axes = scan_axes(problem.form());
   Scan result;
   result.nodes = 1;
   for (const auto& axis : axes) result.nodes *= axis.size();
   std::vector<double> costs;
+  double best = kNone;
   for (std::size_t node = 0; node < result.nodes; ++node) {
-    if (stop && stop()) return result.stopped = true, result;
+    if (watch.stop && watch.stop()) return result.stopped = true, result;
     const double cost = solve_node(problem, shapes_of(node, axes), kPasses).cost;
-    costs.push_back(std::isfinite(cost) ? cost : 1e300);
+    costs.push_back(std::isfinite(cost) ? cost : kNone);
+    best = std::min(best, costs.back());
+    if (watch.progress) watch.progress({"scan", static_cast<int>(node), costs.back(), best});
   }
   for (const std::size_t node : most_distinct(costs, keep, axes))
     result.best.push_back(solve_node(problem, shapes_of(node, axes), kPasses));

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "fit/fit.h"
 #include "fit/node.h"
 #include "fit/problem.h"
 
@@ -23,6 +24,6 @@ struct Scan {
   std::vector<Node> best;  // the most distinct good ones, the best first
   bool stopped = false;
 };
-Scan scan(const Problem& problem, std::size_t keep, const Stop& stop);
+Scan scan(const Problem& problem, std::size_t keep, const Watch& watch);
 
 }  // namespace gonio::fit

@@ -13,7 +13,8 @@ double cpu_seconds() {
 
 std::vector<double> guess_of(const Form& form) {
   std::vector<double> guess;
-  for (const ShapeParameter& shape : form.shapes) guess.push_back(shape.scale.to_search(shape.start));
+  for (const ShapeParameter& shape : form.shapes)
+    guess.push_back(shape.scale.to_search(shape.start));
   return guess;
 }
 

@@ -66,7 +66,9 @@ void set_colours(const FormLobe& lobe, const Colours& colours, const Coefficient
     case Columns::quadratic_diffuse:
       colours.set(spec, "rd", [&](std::size_t c) { return x(c, 0); });
       break;
-    case Columns::scaled: colours.set(spec, "scale", [&](std::size_t c) { return x(c, 0); }); break;
+    case Columns::scaled:
+      colours.set(spec, "scale", [&](std::size_t c) { return x(c, 0); });
+      break;
     case Columns::reflectance:
       // What a reflectance can say, it says; the scale says the rest.
       colours.set(spec, "rs", [&](std::size_t c) { return std::min(x(c, 0), 1.0); });
@@ -100,7 +102,8 @@ MaterialSpec to_material(const Form& form, std::span<const double> parameters, i
     LobeSpec made = lobe.words;
     set_shapes(form, i, shapes, made);
     const auto coefficient = [&](std::size_t c, std::size_t k) {
-      const std::size_t at = form.shapes.size() + c * form.coefficients + lobe.first_coefficient + k;
+      const std::size_t at =
+          form.shapes.size() + c * form.coefficients + lobe.first_coefficient + k;
       return parameters[at] / basis.peaks()[lobe.first_column + k];
     };
     set_colours(lobe, Colours(lobe, channels, clamped), coefficient, made);

@@ -14,6 +14,7 @@ namespace {
 constexpr double kNormal95 = 1.959963984540054;
 // Eigenvalues of a unit-diagonal matrix below this: a direction that the data do not see.
 constexpr double kUnseen = 1e-3;
+constexpr double kTogether = 0.98;  // the least correlation that is reported
 constexpr double kTakesPart = 0.3;  // a parameter's least share in such a direction
 
 struct Named {
@@ -44,9 +45,9 @@ std::vector<Named> numbers_of(const Form& form, std::span<const double> paramete
   std::vector<Named> numbers;
   std::size_t specular = 0;
   for (const FormLobe& lobe : form.lobes) {
-    const LobeSpec& made = lobe.alone                   ? *spec.model
+    const LobeSpec& made = lobe.alone                  ? *spec.model
                            : lobe.prefix == "diffuse." ? *spec.diffuse
-                                                        : spec.specular[specular++];
+                                                       : spec.specular[specular++];
     append_numbers(lobe, made, channels, numbers);
   }
   return numbers;
@@ -119,6 +120,23 @@ std::vector<Indistinct> unseen(const Form& form, const Eigen::MatrixXd& H,
   return found;
 }
 
+// Pairs of numbers whose estimates go together, each pair of fields once.
+void add_correlated(const std::vector<Named>& numbers, const Eigen::MatrixXd& covariance,
+                    std::vector<Indistinct>& to) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    for (std::size_t j = i + 1; j < numbers.size(); ++j) {
+      const auto a = static_cast<Eigen::Index>(i), b = static_cast<Eigen::Index>(j);
+      const double size = std::sqrt(covariance(a, a) * covariance(b, b));
+      const double correlation = size > 0 ? covariance(a, b) / size : 0;
+      const std::vector fields{numbers[i].field, numbers[j].field};
+      if (!(std::abs(correlation) > kTogether) || fields[0] == fields[1]) continue;
+      const bool known = std::any_of(
+          to.begin(), to.end(), [&](const Indistinct& other) { return other.fields == fields; });
+      if (!known) to.push_back({fields, 0, correlation});
+    }
+  }
+}
+
 // The parameters inside their bounds; the fields of the others go to `active`.
 std::vector<std::size_t> inside(const Form& form, std::span<const double> parameters, int channels,
                                 std::vector<std::string>& active) {
@@ -137,10 +155,28 @@ std::vector<std::size_t> inside(const Form& form, std::span<const double> parame
   return free;
 }
 
-ParameterReport report_of(const Named& number, double standard_error) {
-  ParameterReport report{number.field, number.channel, number.value, standard_error, false, 0, 0};
+// Those of the parameters `free` by which anything changes at all.
+std::vector<std::size_t> with_curvature(const Eigen::MatrixXd& H,
+                                        const std::vector<std::size_t>& free) {
+  std::vector<std::size_t> seen;
+  for (const std::size_t i : free) {
+    if (H(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) > 1e-100) seen.push_back(i);
+  }
+  return seen;
+}
+
+ParameterReport report_of(const Named& number, bool determined, double standard_error) {
   const Parameter& p = *number.parameter;
+  ParameterReport report;
+  report.field = number.field;
+  report.channel = number.channel;
+  report.value = number.value;
   report.at_bound = number.value <= p.lower || number.value >= p.upper;
+  report.determined = determined && std::isfinite(standard_error);
+  report.lower = p.lower;
+  report.upper = p.upper;
+  if (!report.determined) return report;
+  report.standard_error = standard_error;
   if (p.scale == Scale::logarithmic && number.value > 0) {
     const double factor = std::exp(std::min(kNormal95 * standard_error / number.value, 700.0));
     report.lower = number.value / factor;
@@ -169,20 +205,27 @@ Uncertainty uncertainty_at(const Problem& problem, std::span<const double> param
     const double size = std::sqrt(std::max(2 * e.cost * e.matrix(at, at), 1e-300));
     result.gradient_norm = std::max(result.gradient_norm, std::abs(e.gradient[at]) / size);
   }
-  const Eigen::MatrixXd H = sums.curvature(free, free), S = sums.scatter(free, free);
-  if (!free.empty()) result.indistinct = unseen(form, H, free);
-  const Eigen::MatrixXd inverted = free.empty() ? H : inverse(H);
+  const auto seen = with_curvature(sums.curvature, free);
+  const Eigen::MatrixXd H = sums.curvature(seen, seen), S = sums.scatter(seen, seen);
+  if (!seen.empty()) result.indistinct = unseen(form, H, seen);
+  const Eigen::MatrixXd inverted = seen.empty() ? H : inverse(H);
   const double share = std::min(1.0, static_cast<double>(problem.data().size()) /
                                          static_cast<double>(std::max<std::size_t>(pairs, 1)));
-  const Eigen::MatrixXd covariance = share * inverted * S * inverted;
   const auto numbers = numbers_of(form, parameters, channels);
   const Eigen::MatrixXd all = slopes(form, parameters, channels, numbers);
-  const Eigen::MatrixXd J = all(Eigen::all, free);
-  const Eigen::MatrixXd by_number = J * covariance * J.transpose();
+  const Eigen::MatrixXd J = all(Eigen::all, seen);
+  const Eigen::MatrixXd curved = J * inverted * J.transpose();
+  add_correlated(numbers, curved, result.indistinct);
+  const Eigen::MatrixXd variance = share * J * inverted * S * inverted * J.transpose();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
+    bool determined = true;
+    for (const std::size_t j : free) {
+      const bool blind = std::find(seen.begin(), seen.end(), j) == seen.end();
+      if (blind && all(at, static_cast<Eigen::Index>(j)) != 0) determined = false;
+    }
     result.parameters.push_back(
-        report_of(numbers[i], std::sqrt(std::max(by_number(at, at), 0.0))));
+        report_of(numbers[i], determined, std::sqrt(std::max(variance(at, at), 0.0))));
   }
   return result;
 }

@@ -1,10 +1,10 @@
 // How well the data determine the parameters: curvature, robust standard errors, correlations.
 //
 // Standard errors are the sandwich H^-1 S H^-1 (Huber 1967; White 1980): S sums the squared scores
-// of the pairs, whose channels may err together, and H is the loss's curvature. Of |e| that is twice
-// the density of the residuals at 0, estimated among pairs of similar reflectance, since noise
-// grows with it (Powell 1991). They hold for models that are wrong, too: then they say how the
-// parameters would scatter if other pairs had been measured.
+// of the pairs, whose channels may err together, and H is the loss's curvature. Of |e| that is
+// twice the density of the residuals at 0, estimated among pairs of similar reflectance, since
+// noise grows with it (Powell 1991). They hold for models that are wrong, too: then they say how
+// the parameters would scatter if other pairs had been measured.
 #pragma once
 
 #include <Eigen/Core>

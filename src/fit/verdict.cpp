@@ -10,6 +10,8 @@ namespace {
 
 using Reason = std::optional<std::string>;
 
+constexpr double kNearly = 1.05;
+
 std::string percent(double part) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g %%", 100 * part);
@@ -73,19 +75,20 @@ Reason invisible(const Form& form, std::span<const double> parameters, int chann
   return {};
 }
 
-// Starts that end as low, but elsewhere.
+// Starts that end nearly as low, but elsewhere: another sample of the material could prefer them.
 Reason other_basin(const Form& form, const Certificate& report) {
-  const auto best = std::min_element(
-      report.starts.begin(), report.starts.end(),
-      [](const Start& a, const Start& b) { return a.objective < b.objective; });
+  const auto best =
+      std::min_element(report.starts.begin(), report.starts.end(),
+                       [](const Start& a, const Start& b) { return a.objective < b.objective; });
   for (const Start& start : report.starts) {
-    if (!start.agrees) continue;
+    if (start.objective > kNearly * best->objective) continue;
     for (std::size_t i = 0; i < form.shapes.size(); ++i) {
       const ShapeParameter& shape = form.shapes[i];
       const auto place = [&](double p) { return shape.scale.to_search(std::max(p, shape.lower)); };
       const double range = place(shape.scan_upper) - place(shape.scan_lower);
       if (std::abs(place(start.to[i]) - place(best->to[i])) <= 0.1 * range) continue;
-      return "two optima within 1 %: " + shape.field + " at " + number(best->to[i]) + " and at " +
+      return "another optimum is worse by " + percent(start.objective / best->objective - 1) +
+             " only: " + shape.field + " at " + number(best->to[i]) + " and at " +
              number(start.to[i]);
     }
   }
@@ -104,8 +107,28 @@ Reason wide_profile(const Certificate& report) {
 }
 
 Reason unseen(const Certificate& report) {
-  if (report.indistinct.empty()) return {};
-  return "the data do not tell apart " + joined(report.indistinct.front().fields);
+  for (const Indistinct& direction : report.indistinct) {
+    if (direction.correlation == 1) return "the data do not tell apart " + joined(direction.fields);
+  }
+  return {};
+}
+
+// A shape whose interval is wider than a factor of two either way says little.
+Reason vague(const Certificate& report) {
+  for (const ParameterReport& p : report.parameters) {
+    const bool shape =
+        std::find(report.shapes.begin(), report.shapes.end(), p.field) != report.shapes.end();
+    if (!shape || (p.determined && !(p.lower * 4 < p.upper && p.standard_error * 2 > p.value)))
+      continue;
+    std::string with;
+    for (const Indistinct& pair : report.indistinct) {
+      if (pair.fields.front() == p.field) with += " and goes together with " + pair.fields.back();
+      if (!with.empty()) break;
+    }
+    return p.field + " is hardly determined: " + number(p.lower) + " to " + number(p.upper) +
+           " at 95 %" + with;
+  }
+  return {};
 }
 
 Reason too_few(const Form& form, const Data& fitted) {
@@ -132,6 +155,7 @@ void judge(const Form& form, std::span<const double> parameters, const Data& fit
   decide(Verdict::ambiguous, wide_profile(report));
   decide(Verdict::bound_limited, held(report));
   decide(Verdict::ambiguous, unseen(report));
+  decide(Verdict::ambiguous, vague(report));
   if (!report.reason.empty()) return;
   report.verdict = Verdict::converged;
   report.reason = std::to_string(report.agreeing) + " of " + std::to_string(report.starts.size()) +

@@ -178,11 +178,11 @@ struct AshikhminShirley {
     using Real = typename N::Real;
     using std::sqrt;
     const Real half_nu = Real(-k.minus_half_nu), half_nv = Real(-k.minus_half_nv);
-    const auto at = turn(xi.u);
+    const auto at = turn(Real(0.5) * xi.u);
     const auto phi =
         unit_tangent(sqrt(half_nv + Real(0.5)) * at.cos, sqrt(half_nu + Real(0.5)) * at.sin);
     const Real half_e = sum_of_products(half_nu, phi.x * phi.x, half_nv, phi.y * phi.y);
-    return draw_by_half_vector<N>(PowerProfile<N>{half_e + Real(0.5)}, phi, wi, xi);
+    return draw_by_half_vector<N>(PowerProfile<N>{half_e + Real(0.5)}, phi, wi, xi.v);
   }
 
   template <class N>

@@ -93,9 +93,9 @@ struct BlinnPhong {
                                                   const Vec3<typename N::Real>& wi,
                                                   const Xi<typename N::Real>& xi) {
     using Real = typename N::Real;
-    const auto phi = turn(xi.u);
+    const auto phi = turn(Real(0.5) * xi.u);
     return draw_by_half_vector<N>(PowerProfile<N>{Real(0.5 - k.minus_half_s)},
-                                  Tangent<Real>{phi.cos, phi.sin}, wi, xi);
+                                  Tangent<Real>{phi.cos, phi.sin}, wi, xi.v);
   }
 };
 

@@ -88,7 +88,7 @@ struct Phong {
   static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
                                                   const Vec3<typename N::Real>& wi,
                                                   const Xi<typename N::Real>& xi) {
-    return draw_about_mirror<N>({typename N::Real(0.5 - 0.5 * k.minus_s)}, wi, xi);
+    return draw_about_mirror<N>({typename N::Real(0.5 - 0.5 * k.minus_s)}, wi, xi.u, xi.v);
   }
 };
 

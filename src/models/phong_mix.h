@@ -121,15 +121,11 @@ struct PhongMix {
                                                   const Vec3<typename N::Real>& wi,
                                                   const Xi<typename N::Real>& xi) {
     using Real = typename N::Real;
-    const Real mix = Real(k.mix), rest = Real(k.rest);
-    const auto by_half = xi.choice < mix;
-    const Real left = select(by_half, xi.choice / max(mix, Real(1e-30)),
-                             (xi.choice - mix) / max(rest, Real(1e-30)));
-    const Xi<Real> inner{min(left, Real(1)), xi.u, xi.v};
-    const auto phi = turn(xi.u);
+    const auto by_half = xi.choice < Real(k.mix);
+    const auto phi = turn(Real(0.5) * xi.u);
     const Vec3<Real> a = draw_by_half_vector<N>(PowerProfile<N>{Real(0.5 - 2 * k.minus_s)},
-                                                Tangent<Real>{phi.cos, phi.sin}, wi, inner);
-    const Vec3<Real> b = draw_about_mirror<N>({Real(0.5 - 0.5 * k.minus_s)}, wi, inner);
+                                                Tangent<Real>{phi.cos, phi.sin}, wi, xi.v);
+    const Vec3<Real> b = draw_about_mirror<N>({Real(0.5 - 0.5 * k.minus_s)}, wi, xi.u, xi.v);
     return {select(by_half, a.x, b.x), select(by_half, a.y, b.y), select(by_half, a.z, b.z)};
   }
 };

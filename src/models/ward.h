@@ -130,10 +130,10 @@ struct Ward {
     using Real = typename N::Real;
     using std::sqrt;
     const Real rate_x = Real(k.minus_inverse_ax2), rate_y = Real(k.minus_inverse_ay2);
-    const auto at = turn(xi.u);
+    const auto at = turn(Real(0.5) * xi.u);
     const auto phi = unit_tangent(sqrt(-rate_y) * at.cos, sqrt(-rate_x) * at.sin);
     const Real rate = sum_of_products(rate_x, phi.x * phi.x, rate_y, phi.y * phi.y);
-    return draw_by_half_vector<N>(SlopeProfile<N>{rate}, phi, wi, xi);
+    return draw_by_half_vector<N>(SlopeProfile<N>{rate}, phi, wi, xi.v);
   }
 };
 

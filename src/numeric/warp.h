@@ -6,22 +6,26 @@
 
 namespace gonio::GONIO_ISA {
 
-// log2(1 - x) for x in [0, 1], to a relative error of 3e-7 and 2e-15; where x = 1, a number below
-// -120.
-GONIO_INLINE Float log2_one_minus(Float x) {
+// log2(1 - x) for x in [0, 1], given rest = 1 - x to its last digits, to a relative error of 3e-7
+// and 2e-15; where x = 1, a number below -120.
+GONIO_INLINE Float log2_of_rest(Float x, Float rest) {
   // log2(1 + f) / f on [-1/4, 1/2], minimax.
   static constexpr double kLog2[] = {
       1.4426950324423307,  -0.7213484783848707,  0.4809020804770834,
       -0.3605759215928098, 0.28819150539777116,  -0.2427235255458412,
       0.21632486125015776, -0.17423017007821578, 0.07806667083321486};
-  const Float rest = max(Float(1) - x, Float(0x1p-125));
+  rest = max(rest, Float(0x1p-125));
   const Float k = exponent(rest * Float(4. / 3));
   const Float f = select(Float(-0.5) < k, -x, scale(rest, -k) - Float(1));
   return k + f * polynomial(f, kLog2);
 }
-GONIO_INLINE Double<Exactness::exact> log2_one_minus(Double<Exactness::exact> x) {
-  using D = Double<Exactness::exact>;
-  return -weighted_log2_1p(x, x, D(1) - x, D(1));
+GONIO_INLINE Double<Exactness::exact> log2_of_rest(Double<Exactness::exact> x,
+                                                   Double<Exactness::exact> rest) {
+  return -weighted_log2_1p(x, x, rest, Double<Exactness::exact>(1));
+}
+template <class T>
+GONIO_INLINE T log2_one_minus(T x) {
+  return log2_of_rest(x, T(1) - x);
 }
 
 // 2^x and 1 - 2^x for x <= 0, the latter to its last digits where x is nearly 0, too: to 2e-7 and
@@ -61,7 +65,7 @@ GONIO_INLINE Exp2<Double<Exactness::exact>> exp2_of(Double<Exactness::exact> x) 
   return {power + power * change, (D(1) - power) - power * change};
 }
 
-// The direction at x turns, x in [0, 1): cosine and sine to 3e-7 and 5e-16, absolutely.
+// The direction at x turns, x in [0, 1): cosine and sine to 1e-6 and 2e-15, absolutely.
 template <class T>
 struct Turn {
   T cos, sin;

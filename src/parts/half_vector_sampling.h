@@ -23,24 +23,24 @@ GONIO_INLINE Tangent<T> unit_tangent(const T& x, const T& y) {
   return {x * inverse, y * inverse};
 }
 
-// wo for an azimuth of h (either of its two sides) with its profile.
+// wo for an axis of azimuths of h with its profile.
 template <class N, class Profile>
 GONIO_INLINE Vec3<typename N::Real> draw_by_half_vector(const Profile& profile,
-                                                        const Tangent<typename N::Real>& azimuth,
+                                                        const Tangent<typename N::Real>& axis,
                                                         const Vec3<typename N::Real>& wi,
-                                                        const Xi<typename N::Real>& xi) {
+                                                        const typename N::Real& v) {
   using Real = typename N::Real;
   using std::sqrt;
-  const Real toward = sum_of_products(wi.x, azimuth.x, wi.y, azimuth.y);
+  const Real toward = sum_of_products(wi.x, axis.x, wi.y, axis.y);
   const Colatitude<Real> lit = reach(toward, wi.z);
   const Real lit_mass = profile.mass(lit).one_minus;
   const Real other_mass = profile.mass(Colatitude<Real>{lit.cos2, lit.sin2}).one_minus;
-  const auto is_lit = xi.choice * (lit_mass + other_mass) < lit_mass;
-  const Real mass = select(is_lit, lit_mass, other_mass);
-  const Real side = select(Real(0) < toward, Real(1), Real(-1)) * select(is_lit, Real(1), Real(-1));
-  const Colatitude<Real> theta = profile.at(xi.v * mass);
-  const Real sine = side * sqrt(theta.sin2);
-  return reflected(wi, {sine * azimuth.x, sine * azimuth.y, sqrt(theta.cos2)});
+  const auto faces = Real(0) < toward;
+  const Along<Real> place =
+      along(v, select(faces, lit_mass, other_mass), select(faces, other_mass, lit_mass));
+  const Colatitude<Real> theta = profile.at(place.mass);
+  const Real sine = place.sign * sqrt(theta.sin2);
+  return reflected(wi, {sine * axis.x, sine * axis.y, sqrt(theta.cos2)});
 }
 
 // What the density needs of a pair of directions: h's tangential part and where it points, up to

@@ -3,8 +3,9 @@
 // A half-vector at colatitude theta and azimuth phi reflects wi to above the horizon as long as
 // theta < 45 degrees + beta/2, tan(beta) = tan(theta_i) cos(phi - phi_i): far on the side of the
 // light, little on the other. A lobe that is the same at phi and phi + 180 degrees is drawn so: an
-// azimuth as if there were no horizon, one of its two sides by their masses above it, and a
-// colatitude from what is left of that side.
+// axis of two opposite azimuths as if there were no horizon, then a place on the way from the
+// horizon over the lobe's centre to the horizon on the other side, by the masses of both. That is a
+// continuous map of two numbers: evenly spread numbers give evenly spread directions.
 #pragma once
 
 #include <cmath>
@@ -14,7 +15,7 @@
 
 namespace gonio {
 
-// xi of one sample, each in [0, 1): which of two sides or lobes, and the direction.
+// xi of one sample, each in [0, 1): which of two lobes or normals, and the direction.
 template <class T>
 struct Xi {
   T choice, u, v;
@@ -53,7 +54,7 @@ struct PowerProfile {
   using Real = typename N::Real;
   Real half_width;
   [[nodiscard]] GONIO_INLINE auto mass(const Colatitude<Real>& c) const {
-    return exp2_of(half_width * log2_one_minus(c.sin2));
+    return exp2_of(half_width * log2_of_rest(c.sin2, c.cos2));
   }
   [[nodiscard]] GONIO_INLINE Colatitude<Real> at(const Real& part) const {
     const auto cos2 = exp2_of(log2_one_minus(part) / half_width);
@@ -73,5 +74,19 @@ struct SlopeProfile {
     return {tan2 * cos2, cos2};
   }
 };
+
+// A place on the way along an axis whose sides have the masses `plus` and `minus`.
+template <class T>
+struct Along {
+  T mass, sign;  // from the centre; of the side
+};
+template <class T>
+GONIO_INLINE Along<T> along(const T& v, const T& plus, const T& minus) {
+  const T way = v * (plus + minus) - plus;
+  const auto on_plus = way < T(0);
+  // Short of the horizon, where rounding could go below it.
+  return {min(absolute(way), select(on_plus, plus, minus) * T(1 - 2.5e-7)),
+          select(on_plus, T(1), T(-1))};
+}
 
 }  // namespace gonio

@@ -2,7 +2,7 @@
 // what is drawn: (s+1)/(2 pi) (wr.wo)^s, made larger by what the horizon would have taken.
 //
 // Around wr the half towards the normal is all above the horizon; the other reaches down to it. As
-// in parts/horizon.h, an azimuth is drawn first, then one of its two sides by their masses.
+// in parts/horizon.h, an axis is drawn first, then a place on the way along it.
 #pragma once
 
 #include <cmath>
@@ -43,24 +43,27 @@ struct MirrorAim {
 template <class N>
 GONIO_INLINE Vec3<typename N::Real> draw_about_mirror(const PowerProfile<N>& profile,
                                                       const Vec3<typename N::Real>& wi,
-                                                      const Xi<typename N::Real>& xi) {
+                                                      const typename N::Real& u,
+                                                      const typename N::Real& v) {
   using Real = typename N::Real;
   using std::sqrt;
-  const auto azimuth = turn(xi.u);
+  const auto axis = turn(Real(0.5) * u);
   // About wr = (-x, -y, z): the tangent that rises to the normal, and the one in the surface.
   const Real sin2 = sum_of_products(wi.x, wi.x, wi.y, wi.y), sine_i = sqrt(sin2);
   const auto tilted = Real(1e-15) < sine_i;
   const Real inverse = Real(1) / select(tilted, sine_i, Real(1));
-  const Real x = select(tilted, wi.x * inverse, Real(1)),
-             y = select(tilted, wi.y * inverse, Real(0));
+  const Real x = select(tilted, wi.x * inverse, Real(1));
+  const Real y = select(tilted, wi.y * inverse, Real(0));
   // The rising side is all above the horizon.
-  const Real rise = absolute(azimuth.cos), low = rise * sine_i;
-  const Real low2 = low * low, z2 = wi.z * wi.z, scale = Real(1) / (low2 + z2);
+  const Real low = axis.cos * sine_i, low2 = low * low, z2 = wi.z * wi.z;
+  const Real scale = Real(1) / (low2 + z2);
   const Real low_mass = profile.mass(Colatitude<Real>{z2 * scale, low2 * scale}).one_minus;
-  const auto rises = xi.choice * (Real(1) + low_mass) < Real(1);
-  const Colatitude<Real> angle = profile.at(xi.v * select(rises, Real(1), low_mass));
-  const Real sine = sqrt(angle.sin2), cosine = sqrt(angle.cos2);
-  const Real up = sine * select(rises, rise, -rise), across = sine * azimuth.sin;
+  const auto rises = Real(0) < axis.cos;
+  const Along<Real> place =
+      along(v, select(rises, Real(1), low_mass), select(rises, low_mass, Real(1)));
+  const Colatitude<Real> angle = profile.at(place.mass);
+  const Real sine = place.sign * sqrt(angle.sin2), cosine = sqrt(angle.cos2);
+  const Real up = sine * axis.cos, across = sine * axis.sin;
   return {sum_of_products(up * wi.z, x, across, y) - cosine * wi.x,
           sum_of_products(up * wi.z, y, -across, x) - cosine * wi.y,
           sum_of_products(up, sine_i, cosine, wi.z)};

@@ -1,7 +1,8 @@
 // Fits against the best that is published for eight materials, and what they cost.
 //
-//   fit_bench published    64 cells: two models x eight materials x four metrics, at theta <= 80 deg
-//   fit_bench time         CPU seconds of each model and objective on 20,000 pairs, and polished
+//   fit_bench published    64 cells: two models x eight materials x four metrics, at theta <= 80
+//   deg fit_bench time         CPU seconds of each model and objective on 20,000 pairs, and
+//   polished
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -9,68 +10,40 @@
 
 #include "fit/fit.h"
 #include "fit/published.h"
-#include "measured/npf_material.h"
-#include "measured/table.h"
+#include "fit/real_data.h"
 
 namespace gonio::bench {
 namespace {
 
-constexpr std::array kMaterials{"nickel", "two-layer-silver",    "violet-rubber", "red-fabric2",
-                                "chrome", "gold-metallic-paint", "blue-acrylic",  "white-diffuse-bball"};
+using testing::draw_start;
+using testing::kFitMaterials;
+using testing::load_measured;
+using testing::over_lambertian;
+
 constexpr std::array kObjectives{fit::Objective::l1, fit::Objective::l2, fit::Objective::log,
                                  fit::Objective::cbrt};
 
-// With multiplicative log-normal noise, and some cells not measured, on request.
 fit::Data load(const char* name, double noise = 0, double invalid = 0) {
-  const auto material = testing::NpfMaterial::load(name);
-  if (!material) {
+  auto data = load_measured(name, noise, invalid);
+  if (!data) {
     std::fprintf(stderr, "fit_bench: no material '%s' in %s\n", name,
                  testing::data_folder().c_str());
     std::exit(1);
   }
-  std::vector<float> values = testing::tabulate(*material);
-  std::mt19937_64 random(1);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> uniform;
-  for (std::size_t i = 0; noise > 0 && i < values.size(); i += 3) {
-    const bool drop = uniform(random) < invalid;
-    const double factor = std::exp(noise * normal(random));
-    for (std::size_t c = 0; c < 3; ++c)
-      values[i + c] = drop ? -1 : static_cast<float>(values[i + c] * factor);
-  }
-  return fit::from_table(**MeasuredTable::from_values(values));
-}
-
-// Random shapes over all that a person might try.
-void draw(std::mt19937_64& random, LobeSpec& lobe) {
-  std::uniform_real_distribution<double> uniform;
-  const auto between = [&](double low, double high) {
-    return std::vector{low * std::pow(high / low, uniform(random))};
-  };
-  lobe.parameters["eta"] = std::vector{1 + between(0.05, 20)[0]};
-  if (lobe.model == "cook_torrance") {
-    lobe.parameters["m"] = between(3e-3, 1);
-  } else {
-    lobe.parameters["s"] = between(0.5, 1e5);
-  }
-  if (lobe.model == "phong_mix") lobe.parameters["mix"] = std::vector{uniform(random)};
+  return *std::move(data);
 }
 
 double metric(const fit::Errors& errors, fit::Objective objective) {
   switch (objective) {
-    case fit::Objective::l2: return errors.rmse;
-    case fit::Objective::log: return errors.log;
-    case fit::Objective::cbrt: return errors.cbrt;
-    default: return errors.l1;
+    case fit::Objective::l2:
+      return errors.rmse;
+    case fit::Objective::log:
+      return errors.log;
+    case fit::Objective::cbrt:
+      return errors.cbrt;
+    default:
+      return errors.l1;
   }
-}
-
-MaterialSpec form_of(const std::string& model, const std::string& fresnel) {
-  MaterialSpec form;
-  form.diffuse = LobeSpec{"lambertian", {}};
-  form.specular = {LobeSpec{model, {}}};
-  if (!fresnel.empty()) form.specular[0].parameters["fresnel"] = fresnel;
-  return form;
 }
 
 // The least error that a paper's parameters have.
@@ -96,7 +69,7 @@ int compare_with_published() {
   constexpr std::array kModels{Model{"cook_torrance", "dielectric", "cooktorrance"},
                                Model{"ashikhmin_shirley", "", "ashikhminshirley"}};
   int cells = 0, better = 0;
-  for (const char* material : kMaterials) {
+  for (const char* material : kFitMaterials) {
     const fit::Data data = load(material);
     for (const Model& model : kModels) {
       std::printf("%-20s %-18s", material, model.name);
@@ -104,7 +77,7 @@ int compare_with_published() {
         fit::Options options;
         options.objective = objective;
         options.max_theta = fit::kGrazing;
-        const auto result = fit::fit(data, form_of(model.name, model.fresnel), options);
+        const auto result = fit::fit(data, over_lambertian(model.name, model.fresnel), options);
         const double ours = metric(result->certificate.errors.below_80, objective);
         const double theirs = best_published(model.table, material, data, objective);
         ++cells;
@@ -120,7 +93,7 @@ int compare_with_published() {
 }
 
 void print_times() {
-  for (const char* material : kMaterials) {
+  for (const char* material : kFitMaterials) {
     const fit::Data all = load(material);
     const fit::Data data = fit::subset(fit::within(all, 0, fit::kGrazing), 20'000, 1);
     for (const char* model : {"cook_torrance", "phong", "blinn_phong", "phong_mix"}) {
@@ -128,7 +101,7 @@ void print_times() {
       for (const fit::Objective objective : kObjectives) {
         fit::Options options;
         options.objective = objective;
-        const auto result = fit::fit(data, form_of(model, "dielectric"), options);
+        const auto result = fit::fit(data, over_lambertian(model, "dielectric"), options);
         std::printf("  %.4g in %.3f s", metric(result->certificate.errors.below_80, objective),
                     result->certificate.cpu_seconds);
         for (const auto& s : result->certificate.stages)
@@ -145,17 +118,18 @@ void print_independence(int starts) {
   constexpr std::array kModels{"phong", "blinn_phong", "phong_mix", "cook_torrance"};
   std::array<int, 2> good{};
   int total = 0;
-  for (std::size_t set = 0; set < kMaterials.size() + 4; ++set) {
-    const bool noisy = set >= kMaterials.size();
-    const char* name = kMaterials[set % kMaterials.size()];
-    const fit::Data data = fit::within(load(name, noisy ? 0.1 : 0, noisy ? 0.02 : 0), 0, fit::kGrazing);
+  for (std::size_t set = 0; set < kFitMaterials.size() + 4; ++set) {
+    const bool noisy = set >= kFitMaterials.size();
+    const char* name = kFitMaterials[set % kFitMaterials.size()];
+    const fit::Data data =
+        fit::within(load(name, noisy ? 0.1 : 0, noisy ? 0.02 : 0), 0, fit::kGrazing);
     for (const char* model : kModels) {
       std::array<std::vector<double>, 2> ends;
       std::mt19937_64 random(1);
       double seconds = 0;
       for (int start = 0; start < starts; ++start) {
-        MaterialSpec form = form_of(model, "dielectric");
-        draw(random, form.specular[0]);
+        MaterialSpec form = over_lambertian(model, "dielectric");
+        draw_start(random, form.specular[0]);
         for (std::size_t strategy = 0; strategy < 2; ++strategy) {
           fit::Options options;
           options.strategy = strategy == 0 ? fit::Strategy::automatic : fit::Strategy::staged;
@@ -188,7 +162,8 @@ int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";
   if (what == "published") return gonio::bench::compare_with_published();
   if (what == "time") return gonio::bench::print_times(), 0;
-  if (what == "starts") return gonio::bench::print_independence(argc > 2 ? std::atoi(argv[2]) : 50), 0;
-  std::fputs("usage: fit_bench published|time\n", stderr);
+  if (what == "starts")
+    return gonio::bench::print_independence(argc > 2 ? std::atoi(argv[2]) : 50), 0;
+  std::fputs("usage: fit_bench published|starts [N]|time\n", stderr);
   return 2;
 }

@@ -103,7 +103,7 @@ grpc::ByteBuffer request_of(const Arrays& arrays, std::size_t chunk) {
     return wire::borrow(std::span(all).subspan(3 * chunk * kChunkPairs, 3 * kChunkPairs));
   };
   const wire::PairSlices slices{lent(arrays.wi), lent(arrays.wo), false};
-  return wire::encode_stream_request(chunk, 0, chunk == 0 ? head : std::string_view(), &slices);
+  return wire::encode_stream_request(chunk, 0, chunk == 0 ? head : std::string_view(), slices);
 }
 
 // An echo that only moves bytes: one message, which stays in the caches, and answers dropped.

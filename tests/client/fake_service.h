@@ -9,11 +9,13 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "base/happens_before.h"
 #include "gonio/v1/service.grpc.pb.h"
 
 namespace gonio::test {
@@ -25,11 +27,12 @@ inline float fake_value(float wi_z, float wo_z, int channel) {
 
 class FakeService final : public v1::GonioService::Service {
  public:
-  // What to do; set before use.
+  // What to do; set before the server's address is asked for.
   std::atomic<int> unary_failures{0};  // fail this many calls with `failure`
   grpc::Status failure{grpc::StatusCode::UNAVAILABLE, "not now"};
   std::string pushback;  // trailing metadata of a failed call; empty for none
   std::function<void(v1::EvaluateResponse&)> spoil = [](auto&) {};
+  std::function<void(v1::SampleResponse&)> spoil_samples = [](auto&) {};
   std::atomic<int> break_after{-1};    // end a stream after so many answers, once
   bool reverse = false;                // answer chunks two by two, the second first
   std::atomic<int> chunk_failures{0};  // answer so many chunks with `chunk_error`
@@ -42,6 +45,7 @@ class FakeService final : public v1::GonioService::Service {
 
   grpc::Status Evaluate(grpc::ServerContext* context, const v1::EvaluateRequest* request,
                         v1::EvaluateResponse* response) override {
+    const Handling handling(*this);
     ++unary_calls;
     std::this_thread::sleep_for(delay);
     if (unary_failures > 0) {
@@ -57,6 +61,7 @@ class FakeService final : public v1::GonioService::Service {
       grpc::ServerContext* context,
       grpc::ServerReaderWriter<v1::EvaluateStreamResponse, v1::EvaluateStreamRequest>* stream)
       override {
+    const Handling handling(*this);
     ++streams;
     v1::EvaluateStreamRequest request;
     std::vector<v1::EvaluateStreamResponse> held;
@@ -82,7 +87,44 @@ class FakeService final : public v1::GonioService::Service {
     return grpc::Status::OK;
   }
 
+  // The pdf of a sample is its number in the whole request.
+  grpc::Status SampleStream(grpc::ServerContext* /*context*/,
+                            grpc::ServerReaderWriter<v1::SampleStreamResponse,
+                                                     v1::SampleStreamRequest>* stream) override {
+    ++streams;
+    v1::SampleStreamRequest request;
+    for (int answered = 0; stream->Read(&request); ++answered) {
+      if (break_after >= 0 && answered >= break_after) {
+        break_after = -1;
+        return failure;
+      }
+      const v1::SampleRequest& asked = request.sample();
+      v1::SampleStreamResponse response;
+      response.set_sequence(request.sequence());
+      v1::SampleResponse& samples = *response.mutable_sample();
+      samples.set_channels(1);
+      for (std::uint64_t i = 0; i < asked.count(); ++i) {
+        samples.add_pdf(static_cast<float>(asked.first_wi() * asked.per_wi() + asked.first() + i));
+        samples.add_weights(asked.wi(static_cast<int>(3 * ((asked.first() + i) / asked.per_wi()))));
+      }
+      samples.mutable_wo()->Resize(static_cast<int>(3 * asked.count()), 0);
+      spoil_samples(samples);
+      stream->Write(response);
+    }
+    return grpc::Status::OK;
+  }
+
  private:
+  // gRPC brings a call to its handler after all that its client did before, and ends calls and
+  // server after the handlers.
+  struct Handling {
+    explicit Handling(const FakeService& of) : service(of) { happens_after(&service); }
+    ~Handling() { happens_before(&service.streams); }
+    Handling(const Handling&) = delete;
+    Handling& operator=(const Handling&) = delete;
+    const FakeService& service;
+  };
+
   v1::EvaluateStreamResponse answer(const v1::EvaluateStreamRequest& request) {
     v1::EvaluateStreamResponse response;
     response.set_sequence(request.sequence());
@@ -119,8 +161,15 @@ struct FakeServer {
     builder.RegisterService(&service);
     server = builder.BuildAndStart();
   }
-  ~FakeServer() { server->Shutdown(std::chrono::system_clock::now()); }
-  [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port); }
+  ~FakeServer() {
+    server->Shutdown(std::chrono::system_clock::now());
+    handlers_ended();
+  }
+  void handlers_ended() const { happens_after(&service.streams); }
+  [[nodiscard]] std::string address() const {
+    happens_before(&service);
+    return "127.0.0.1:" + std::to_string(port);
+  }
 };
 
 }  // namespace gonio::test

@@ -14,7 +14,7 @@ import unittest
 
 import grpc
 
-from gonio.v1 import error_pb2, evaluate_pb2, fit_pb2, models_pb2
+from gonio.v1 import error_pb2, evaluate_pb2, fit_pb2, models_pb2, sample_pb2
 
 GONIOD = sys.argv.pop(1)
 SERVICE = "/gonio.v1.GonioService/"
@@ -55,6 +55,12 @@ class PythonClient(unittest.TestCase):
             evaluate.EvaluateStreamResponse.FromString))
         cls.fit = staticmethod(cls.channel.unary_stream(
             SERVICE + "Fit", fit_pb2.FitRequest.SerializeToString, fit_pb2.FitResponse.FromString))
+        cls.sample = staticmethod(cls.channel.unary_unary(
+            SERVICE + "Sample", sample_pb2.SampleRequest.SerializeToString,
+            sample_pb2.SampleResponse.FromString))
+        cls.integrate = staticmethod(cls.channel.unary_unary(
+            SERVICE + "Integrate", sample_pb2.IntegrateRequest.SerializeToString,
+            sample_pb2.IntegrateResponse.FromString))
         cls.list_models = staticmethod(cls.channel.unary_unary(
             SERVICE + "ListModels", models_pb2.ListModelsRequest.SerializeToString,
             models_pb2.ListModelsResponse.FromString))
@@ -96,6 +102,38 @@ class PythonClient(unittest.TestCase):
         self.assertTrue(any(response.flags) and not all(response.flags))
         self.assertEqual(response.report.precision, evaluate_pb2.PRECISION_FAST)
         self.assertGreater(response.report.error_bound.relative, 0)
+
+    def test_samples(self):
+        """A Lambertian surface is drawn by the cosine: pdf cos(theta) / pi, weight rd."""
+        colour = [0.5, 0.25]
+        request = sample_pb2.SampleRequest(per_wi=500, seed=3, wi=[0, 0, 1, 0.6, 0, 0.8])
+        request.material.CopyFrom(lambertian(colour).material)
+        response = self.sample(request, timeout=60)
+        self.assertEqual(len(response.pdf), 1000)
+        self.assertEqual(response.lost, 0)
+        for i in range(1000):
+            x, y, z = response.wo[3 * i:3 * i + 3]
+            self.assertAlmostEqual(x * x + y * y + z * z, 1, delta=1e-6)
+            self.assertAlmostEqual(response.pdf[i], z / math.pi, delta=1e-6)
+            for c, rd in enumerate(colour):
+                self.assertAlmostEqual(response.weights[2 * i + c], rd, delta=1e-5)
+        # Any run of them again, and their densities from Evaluate.
+        request.first, request.count = 700, 100
+        again = self.sample(request, timeout=60)
+        self.assertEqual(list(again.wo), list(response.wo[2100:2400]))
+        pairs = lambertian(colour)
+        pairs.pdf = True
+        pairs.pairs.wi.extend([0.6, 0, 0.8] * 100)
+        pairs.pairs.wo.extend(again.wo)
+        self.assertEqual(list(self.evaluate(pairs, timeout=60).pdf), list(again.pdf))
+
+    def test_integrates(self):
+        request = sample_pb2.IntegrateRequest(per_wi=1000, wi=[0, 0, 1])
+        request.material.CopyFrom(lambertian([0.5, 0.25]).material)
+        response = self.integrate(request, timeout=60)
+        self.assertAlmostEqual(response.albedo[0], 0.5, delta=1e-5)
+        self.assertAlmostEqual(response.albedo[1], 0.25, delta=1e-5)
+        self.assertLess(response.standard_error[0], 1e-5)
 
     def test_reference_precision(self):
         request = lambertian([0.5])

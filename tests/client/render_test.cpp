@@ -36,10 +36,10 @@ class Render : public ServerFixture {
     const auto shape = make_shape(setting.shape);
     const Camera camera(setting.view, shape->radius(), setting.side, setting.side);
     double done = 0;
-    auto image =
-        render::render({*shape, camera, light, setting.background},
-                       {setting.side, setting.side, setting.samples, setting.seed, setting.threads},
-                       *evaluator, [&](double share) { done = share; });
+    auto image = render::render({*shape, camera, light, setting.background},
+                                {setting.side, setting.side, setting.samples, setting.seed,
+                                 Technique::both, setting.threads},
+                                *evaluator, [&](double share) { done = share; });
     EXPECT_TRUE(image.ok()) << image.error().message;
     EXPECT_EQ(done, 1);
     EXPECT_EQ(evaluator->report().flagged, 0U);

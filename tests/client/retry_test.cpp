@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,7 +33,7 @@ class Retry : public ::testing::Test {
  protected:
   // Evaluates `count` pairs and checks every value of a success.
   Result<Report> evaluate(std::size_t count, const ClientOptions& options = quick()) {
-    auto client = Client::connect(server_.address(), options);
+    auto client = Client::connect(server_->address(), options);
     if (!client) return client.error();
     const RandomPairs<float> pairs(count);
     std::vector<float> values(count * kFakeChannels, -1);
@@ -48,8 +50,11 @@ class Retry : public ::testing::Test {
     return report;
   }
 
-  FakeService& service() { return server_.service; }
-  FakeServer server_;
+  FakeService& service() {
+    server_->handlers_ended();
+    return server_->service;
+  }
+  std::unique_ptr<FakeServer> server_ = std::make_unique<FakeServer>();
 };
 
 TEST_F(Retry, CallIsRepeatedWhileTheServerIsUnavailable) {
@@ -67,7 +72,7 @@ TEST_F(Retry, CallIsGivenUpAfterTheRetriesAllowed) {
   auto report = evaluate(10, options);
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.error().code, ErrorCode::unavailable);
-  EXPECT_THAT(report.error().message, HasSubstr(server_.address()));
+  EXPECT_THAT(report.error().message, HasSubstr(server_->address()));
   EXPECT_EQ(service().unary_calls, 3);
 }
 
@@ -199,7 +204,7 @@ TEST_F(Retry, DeadlineInTheMiddleOfAStream) {
   auto report = evaluate(100000, options);
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.error().code, ErrorCode::deadline_exceeded) << report.error().message;
-  EXPECT_THAT(report.error().message, HasSubstr(server_.address()));
+  EXPECT_THAT(report.error().message, HasSubstr(server_->address()));
 }
 
 TEST_F(Retry, AnswersThatMakeNoSenseAreErrors) {
@@ -213,6 +218,8 @@ TEST_F(Retry, AnswersThatMakeNoSenseAreErrors) {
       [](auto& response) { response.set_flags("x"); },
   };
   for (std::size_t i = 0; i < spoilers.size(); ++i) {
+    // A new one: a stream that the client gave up may still be at work on the one before.
+    server_ = std::make_unique<FakeServer>();
     service().spoil = spoilers[i];
     for (const std::size_t count : {10U, 1050U}) {
       auto report = evaluate(count);
@@ -223,7 +230,7 @@ TEST_F(Retry, AnswersThatMakeNoSenseAreErrors) {
 }
 
 TEST_F(Retry, ErrorOfSourceOrSinkIsPassedOn) {
-  auto client = Client::connect(server_.address(), quick());
+  auto client = Client::connect(server_->address(), quick());
   const RandomPairs<float> pairs(100);
   const Error wanted{ErrorCode::data_loss, "mine", "f", "v", "a"};
   int given = 0;
@@ -244,6 +251,54 @@ TEST_F(Retry, ErrorOfSourceOrSinkIsPassedOn) {
   report = client->evaluate_chunks<float, float>(Material::named("x"), source, refuse);
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.error().message, "mine");
+}
+
+// 40 directions, whose x says which one it is, with 25 samples each.
+class SampleRetry : public Retry {
+ protected:
+  static constexpr std::size_t kDirections = 40, kPerWi = 25;
+
+  SampleRetry() : wi_(3 * kDirections), wo_(3 * kSamples), pdf_(kSamples), weights_(kSamples) {
+    for (std::size_t i = 0; i < kDirections; ++i) wi_[3 * i] = static_cast<float>(i);
+  }
+
+  Result<Report> sample() {
+    auto client = Client::connect(server_->address(), quick());
+    if (!client) return client.error();
+    client::SampleBatch<float> batch;
+    batch.wi = wi_;
+    batch.per_wi = kPerWi;
+    return client->sample(Material::named("x"), batch, {wo_, pdf_, weights_, {}});
+  }
+
+  static constexpr std::size_t kSamples = kDirections * kPerWi;
+  std::vector<float> wi_, wo_, pdf_, weights_;
+};
+
+TEST_F(SampleRetry, WhatABrokenStreamLostIsDrawnAgain) {
+  service().break_after = 3;
+  auto report = sample();
+  ASSERT_TRUE(report.ok()) << report.error().message;
+  EXPECT_EQ(report->retries, 1);
+  EXPECT_EQ(service().streams, 2);
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    EXPECT_EQ(pdf_[i], static_cast<float>(i));
+    EXPECT_EQ(weights_[i], static_cast<float>(i / kPerWi));
+  }
+}
+
+TEST_F(SampleRetry, AnswersOfWrongLengthsAreErrors) {
+  const std::vector<std::function<void(gonio::v1::SampleResponse&)>> spoils = {
+      [](auto& samples) { samples.mutable_pdf()->RemoveLast(); },
+      [](auto& samples) { samples.mutable_wo()->RemoveLast(); },
+      [](auto& samples) { samples.add_weights(1); }, [](auto& samples) { samples.set_flags("x"); },
+      [](auto& samples) { samples.set_channels(0); }};
+  for (const auto& spoil : spoils) {
+    service().spoil_samples = spoil;
+    auto report = sample();
+    ASSERT_FALSE(report.ok());
+    EXPECT_THAT(report.error().message, HasSubstr("makes no sense"));
+  }
 }
 
 }  // namespace

@@ -4,12 +4,13 @@
 #   tests/figures/ashikhmin_shirley.sh FOLDER [SPP]
 #
 # Writes to FOLDER: 1-metal.png (spheres, rd = 0, over nu and nv), 2-brushed.png (a cylinder), 3-polished.png (a sphere from
-# three elevations), 4-diffuse.png (Lambertian beside nu = nv = 5), 6-closeup.png (9, 26 and 100 samples a pixel). SPP is how
-# many samples a pixel the others have (256 if left out). With $GONIO_SERVER set, that server does the work.
+# three elevations), 4-diffuse.png (Lambertian beside nu = nv = 5), 6-closeup.png (9, 26 and 100 samples a pixel) and
+# 6-error.png (its error, with gonio's strategy and with the paper's). SPP is how many samples a pixel the others have (256 if
+# left out). With $GONIO_SERVER set, that server does the work.
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 gonio=$top/build/bin/gonio
-[ $# -ge 1 ] || { sed -n '2,9s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
+[ $# -ge 1 ] || { sed -n '2,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 out=$1 spp=${2:-256}
 command -v gnuplot >/dev/null || { echo "ashikhmin_shirley.sh: gnuplot is missing; docker/install.sh --demo installs it" >&2; exit 1; }
 mkdir -p "$out"
@@ -48,7 +49,7 @@ figure() {
 
 for nv in 10 100 1000 10000; do
   for nu in 10 100 1000 10000; do
-    tile "$nu-$nv" 200x200 "$(shirley 0 0.9 $nu $nv)" --light sky --spp "$spp" --view-elevation 15
+    tile "$nu-$nv" 200x200 "$(shirley 0 0.9 $nu $nv)" --light sky --exposure -1 --spp "$spp" --view-elevation 15
     tiles+=("$nu-$nv|n_u = $nu, n_v = $nv")
   done
 done
@@ -71,7 +72,12 @@ tiles+=("lambertian|Lambertian" "diffuse|n_u = n_v = 5")
 figure 4-diffuse.png 2 300 300
 
 for samples in 9 26 100; do
-  tile "closeup-$samples" 260x260 "$(shirley 0 0.9 10 100)" --shape cylinder --light sky --spp $samples --zoom 3
+  tile "closeup-$samples" 260x260 "$(shirley 0 0.9 10 100)" --shape cylinder --light sky --sampling surface --spp $samples \
+    --view-elevation 25 --zoom 1.6
   tiles+=("closeup-$samples|$samples samples")
 done
 figure 6-closeup.png 3 260 260
+
+"$top/build/bin/closeup" >"$folder/closeup.csv"
+gnuplot -e "data = '$folder/closeup.csv'; out = '$out/6-error.png'" "$top/tests/figures/closeup.gp"
+echo "$out/6-error.png"

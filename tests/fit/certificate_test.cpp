@@ -49,7 +49,8 @@ TEST(Certificate, IntervalsOfL1CoverTheTruth) { expect_coverage(fit::Objective::
 TEST(Certificate, IntervalsOfL2CoverTheTruth) { expect_coverage(fit::Objective::l2); }
 
 TEST(Certificate, AlbedoIsThatOfTheMaterial) {
-  const auto lambertian = Material::create({LobeSpec{"lambertian", {{"rd", Numbers{0.6}}}}, {}, {}});
+  const auto lambertian =
+      Material::create({LobeSpec{"lambertian", {{"rd", Numbers{0.6}}}}, {}, {}});
   for (const double theta : {0.0, 0.7, 1.5})
     EXPECT_NEAR(fit::directional_albedo(*lambertian, theta)[0], 0.6, 2e-3);
   // A sharp lobe with F = 1 loses next to nothing at normal incidence.
@@ -61,7 +62,8 @@ TEST(Certificate, AlbedoIsThatOfTheMaterial) {
 
 TEST(Certificate, ReportsWhatHoldsTheOptimum) {
   MaterialSpec truth = kTruth;
-  truth.specular = {LobeSpec{"phong_mix", {{"s", Numbers{30}}, {"mix", Numbers{1}}, {"fresnel", "none"}}}};
+  truth.specular = {
+      LobeSpec{"phong_mix", {{"s", Numbers{30}}, {"mix", Numbers{1}}, {"fresnel", "none"}}}};
   const auto result = fit::fit(data_of(truth, scattered_pairs(2000, 1), 0.1), form_of(truth), {});
   ASSERT_TRUE(result.ok());
   EXPECT_EQ(result->certificate.verdict, fit::Verdict::bound_limited) << result->certificate.reason;

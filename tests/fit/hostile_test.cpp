@@ -14,9 +14,7 @@ using Numbers = std::vector<double>;
 using fit::Verdict;
 
 const MaterialSpec kForm{
-    {},
-    LobeSpec{"lambertian", {}},
-    {LobeSpec{"cook_torrance", {{"fresnel", "dielectric"}}}}};
+    {}, LobeSpec{"lambertian", {}}, {LobeSpec{"cook_torrance", {{"fresnel", "dielectric"}}}}};
 
 fit::FitResult fitted(const fit::Data& data) {
   auto result = fit::fit(data, kForm, {});
@@ -134,7 +132,8 @@ TEST(HostileData, SaysThatNoLobeIsRetroreflective) {
 }
 
 TEST(HostileData, Mirror) {
-  const MaterialSpec mirror{{}, LobeSpec{"lambertian", {{"rd", Numbers{0.01}}}},
+  const MaterialSpec mirror{{},
+                            LobeSpec{"lambertian", {{"rd", Numbers{0.01}}}},
                             {LobeSpec{"phong", {{"s", Numbers{3e5}}}}}};
   const auto data = data_of(mirror, scattered_pairs(4000, 1));
   const auto result = fit::fit(data, form_of(mirror), {});
@@ -144,7 +143,8 @@ TEST(HostileData, Mirror) {
 
 TEST(HostileData, TwoMaterialsMixed) {
   const Pairs at = scattered_pairs(3000, 1);
-  const auto narrow = data_of({LobeSpec{"ggx", {{"alpha_x", Numbers{0.05}}, {"alpha_y", Numbers{0.05}}}}, {}, {}}, at);
+  const auto narrow = data_of(
+      {LobeSpec{"ggx", {{"alpha_x", Numbers{0.05}}, {"alpha_y", Numbers{0.05}}}}, {}, {}}, at);
   const auto wide = data_of({LobeSpec{"lambertian", {{"rd", Numbers{0.8}}}}, {}, {}}, at);
   Numbers values;
   for (std::size_t i = 0; i < narrow.size(); ++i)

@@ -1,10 +1,11 @@
 // Parameters that papers published for MERL's materials ($GONIO_DATA/published_fits), as materials.
 //
 // Conventions, checked against values known for them: Loew et al. 2012 give Cook & Torrance's lobe
-// with an exact dielectric Fresnel and a prefactor of 1/pi (four of ours), and Ashikhmin & Shirley's
-// with the normal reflectance of an index; Ngan et al. 2005 give Schlick's F0, and colours that lack
-// MERL's factors on green and blue. What Ngan's Cook & Torrance lobe is divided by can be read in two
-// ways: 4 n.wi n.wo, or pi n.wi n.wo. Neither is better for all materials, so both are given.
+// with an exact dielectric Fresnel and a prefactor of 1/pi (four of ours), and Ashikhmin &
+// Shirley's with the normal reflectance of an index; Ngan et al. 2005 give Schlick's F0, and
+// colours that lack MERL's factors on green and blue. What Ngan's Cook & Torrance lobe is divided
+// by can be read in two ways: 4 n.wi n.wo, or pi n.wi n.wo. Neither is better for all materials, so
+// both are given.
 #pragma once
 
 #include <array>
@@ -42,7 +43,8 @@ inline std::optional<PublishedLine> published_line(const std::string& table,
                                                    const std::string& material) {
   std::ifstream in(data_folder() / "published_fits" / (table + ".fit"));
   for (std::string line; std::getline(in, line);) {
-    if (line.rfind(material + " = ", 0) == 0) return PublishedLine{line.substr(material.size() + 3)};
+    if (line.rfind(material + " = ", 0) == 0)
+      return PublishedLine{line.substr(material.size() + 3)};
   }
   return std::nullopt;
 }
@@ -59,7 +61,8 @@ inline std::vector<MaterialSpec> published(const std::string& table, const std::
   if (!line) return {};
   const bool ngan = table.rfind("ngan", 0) == 0;
   const bool cook = table.find("cooktorrance") != std::string::npos;
-  const std::array<double, 3> factor = ngan ? std::array{1.0, 1.15, 1.66} : std::array{1.0, 1.0, 1.0};
+  const std::array<double, 3> factor =
+      ngan ? std::array{1.0, 1.15, 1.66} : std::array{1.0, 1.0, 1.0};
   MaterialSpec spec;
   spec.diffuse = LobeSpec{"lambertian", {{"rd", times(line->numbers("albedo"), factor)}}};
   LobeSpec lobe;

@@ -53,33 +53,54 @@ std::vector<Case> cases() {
       all.push_back(with_fresnel(name, lobe, fresnel));
   }
   all.push_back({"ggx_anisotropic",
-                 over_base({"ggx", {{"alpha_x", Numbers{0.1}}, {"alpha_y", Numbers{0.4}},
-                                    {"f0", Numbers{0.9, 0.6, 0.3}}, {"fresnel", "schlick"}}}),
+                 over_base({"ggx",
+                            {{"alpha_x", Numbers{0.1}},
+                             {"alpha_y", Numbers{0.4}},
+                             {"f0", Numbers{0.9, 0.6, 0.3}},
+                             {"fresnel", "schlick"}}}),
                  true});
   all.push_back({"ward_anisotropic",
-                 over_base({"ward", {{"alpha_x", Numbers{0.1}}, {"alpha_y", Numbers{0.3}},
-                                     {"rs", Numbers{0.2, 0.1, 0.3}}}}),
+                 over_base({"ward",
+                            {{"alpha_x", Numbers{0.1}},
+                             {"alpha_y", Numbers{0.3}},
+                             {"rs", Numbers{0.2, 0.1, 0.3}}}}),
                  true});
-  all.push_back({"ward", over_base({"ward", {{"alpha_x", Numbers{0.2}}, {"alpha_y", Numbers{0.2}},
-                                             {"rs", Numbers{0.2}}}})});
-  all.push_back({"ashikhmin_shirley_anisotropic",
-                 over_base({"ashikhmin_shirley", {{"nu", Numbers{20}}, {"nv", Numbers{500}},
-                                                  {"rs", Numbers{0.2, 0.3, 0.6}}}}),
-                 true});
+  all.push_back(
+      {"ward",
+       over_base({"ward",
+                  {{"alpha_x", Numbers{0.2}}, {"alpha_y", Numbers{0.2}}, {"rs", Numbers{0.2}}}})});
+  all.push_back(
+      {"ashikhmin_shirley_anisotropic",
+       over_base({"ashikhmin_shirley",
+                  {{"nu", Numbers{20}}, {"nv", Numbers{500}}, {"rs", Numbers{0.2, 0.3, 0.6}}}}),
+       true});
   all.push_back({"ashikhmin_shirley_alone",
-                 {LobeSpec{"ashikhmin_shirley", {{"nu", Numbers{100}}, {"nv", Numbers{100}},
-                                                 {"rd", Numbers{0.5, 0.3, 0.2}},
-                                                 {"rs", Numbers{0.1, 0.05, 0.2}}}}, {}, {}}});
+                 {LobeSpec{"ashikhmin_shirley",
+                           {{"nu", Numbers{100}},
+                            {"nv", Numbers{100}},
+                            {"rd", Numbers{0.5, 0.3, 0.2}},
+                            {"rs", Numbers{0.1, 0.05, 0.2}}}},
+                  {},
+                  {}}});
   all.push_back({"lambertian", {lambertian(), {}, {}}});
   for (const char* form : {"full", "short"}) {
-    all.push_back({std::string("oren_nayar_") + form,
-                   {LobeSpec{"oren_nayar", {{"rd", Numbers{0.7, 0.4, 0.2}}, {"sigma", Numbers{0.5}},
-                                            {"form", form}}}, {}, {}}});
+    all.push_back(
+        {std::string("oren_nayar_") + form,
+         {LobeSpec{"oren_nayar",
+                   {{"rd", Numbers{0.7, 0.4, 0.2}}, {"sigma", Numbers{0.5}}, {"form", form}}},
+          {},
+          {}}});
   }
-  MaterialSpec two = over_base({"ggx", {{"alpha_x", Numbers{0.4}}, {"alpha_y", Numbers{0.4}},
-                                        {"scale", Numbers{0.2}}, {"fresnel", "none"}}});
-  two.specular.push_back({"ggx", {{"alpha_x", Numbers{0.05}}, {"alpha_y", Numbers{0.05}},
-                                  {"scale", Numbers{0.05, 0.04, 0.03}}, {"fresnel", "none"}}});
+  MaterialSpec two = over_base({"ggx",
+                                {{"alpha_x", Numbers{0.4}},
+                                 {"alpha_y", Numbers{0.4}},
+                                 {"scale", Numbers{0.2}},
+                                 {"fresnel", "none"}}});
+  two.specular.push_back({"ggx",
+                          {{"alpha_x", Numbers{0.05}},
+                           {"alpha_y", Numbers{0.05}},
+                           {"scale", Numbers{0.05, 0.04, 0.03}},
+                           {"fresnel", "none"}}});
   all.push_back({"two_lobes", two});
   return all;
 }
@@ -104,7 +125,8 @@ INSTANTIATE_TEST_SUITE_P(Models, Recovery, ::testing::ValuesIn(cases()),
                          [](const auto& test) { return test.param.name; });
 
 TEST(RecoveryOfSpectra, SharesShapesAmong64Channels) {
-  MaterialSpec truth = over_base({"cook_torrance", {{"m", Numbers{0.2}}, {"eta", Numbers{1.6}}, {"fresnel", "dielectric"}}});
+  MaterialSpec truth = over_base(
+      {"cook_torrance", {{"m", Numbers{0.2}}, {"eta", Numbers{1.6}}, {"fresnel", "dielectric"}}});
   Numbers rd, scale;
   for (int c = 0; c < 64; ++c) {
     rd.push_back(0.1 + 0.01 * c);

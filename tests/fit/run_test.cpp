@@ -29,13 +29,16 @@ TEST(FitRun, IsTheSameOnEveryThread) {
   fit::Options options;
   options.fit_pairs = 3000;
   std::array<Result<fit::FitResult>, 3> results{Error{}, Error{}, Error{}};
-  const auto run = [&](std::size_t i) { results[i] = fit::fit(noisy_data(), form_of(kTruth), options); };
+  const auto run = [&](std::size_t i) {
+    results[i] = fit::fit(noisy_data(), form_of(kTruth), options);
+  };
   run(0);
   std::thread other([&] { run(1); });
   run(2);
   other.join();
   for (std::size_t i = 1; i < 3; ++i) {
-    EXPECT_EQ(results[i]->material.specular[0].parameters, results[0]->material.specular[0].parameters);
+    EXPECT_EQ(results[i]->material.specular[0].parameters,
+              results[0]->material.specular[0].parameters);
     EXPECT_EQ(results[i]->material.diffuse->parameters, results[0]->material.diffuse->parameters);
     EXPECT_EQ(results[i]->certificate.errors.all.l1, results[0]->certificate.errors.all.l1);
     EXPECT_EQ(results[i]->certificate.parameters[0].standard_error,

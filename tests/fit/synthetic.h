@@ -18,8 +18,8 @@ struct Pairs {
   std::vector<double> wi, wo, weights;
 };
 
-// Pairs as a gonioreflectometer takes them: half about the mirror direction at all scales, half over
-// the hemisphere, up to 80 degrees. Weights are 1 over the density.
+// Pairs as a gonioreflectometer takes them: half about the mirror direction at all scales, half
+// over the hemisphere, up to 80 degrees. Weights are 1 over the density.
 inline Pairs scattered_pairs(std::size_t count, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform;

@@ -2,55 +2,15 @@
 // set that this machine has.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
-#include <random>
-#include <vector>
+#include "numeric/arrays.h"
+#include "numeric/cancelling.h"
 
-#include "engine/isa.h"
-#include "numeric/functions.h"
-
-namespace gonio {
+namespace gonio::testing {
 namespace {
-
-constexpr std::size_t kCount = 1 << 16;
-
-const testing::Functions& functions(Isa isa) {
-  switch (isa) {
-    case Isa::avx512:
-      return avx512::kFunctions;
-    case Isa::avx2:
-      return avx2::kFunctions;
-    default:
-      return baseline::kFunctions;
-  }
-}
-
-// 2^(a uniform exponent between `low` and `high`).
-std::vector<double> powers(double low, double high, unsigned seed) {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> exponent(low, high);
-  std::vector<double> all(kCount);
-  for (double& x : all) x = std::exp2(exponent(random));
-  return all;
-}
-
-template <class Number>
-long double worst_relative(const std::vector<Number>& got,
-                           const std::function<long double(std::size_t)>& truth) {
-  long double worst = 0;
-  for (std::size_t i = 0; i < got.size(); ++i) {
-    const long double want = truth(i);
-    const long double error = std::fabs(static_cast<long double>(got[i]) - want) / std::fabs(want);
-    if (std::isnan(error)) return HUGE_VALL;
-    worst = std::max(worst, error);
-  }
-  return worst;
-}
 
 class Elementary : public ::testing::TestWithParam<Isa> {
  protected:
-  const testing::Functions& use = functions(GetParam());
+  const Functions& use = functions(GetParam());
   std::vector<double> out = std::vector<double>(kCount);
 };
 
@@ -138,8 +98,30 @@ TEST_P(Elementary, QuickDivision) {
       0x1p-42L);
 }
 
+TEST_P(Elementary, ProductAndWhatRoundingTookFromIt) {
+  const auto a = powers(-200, 200, 10), b = powers(-200, 200, 11);
+  std::vector<double> lost(kCount);
+  use.product(a.data(), b.data(), kCount, out.data(), lost.data());
+  for (std::size_t i = 0; i < kCount; ++i) {
+    ASSERT_EQ(out[i], a[i] * b[i]) << a[i] << " * " << b[i];
+    ASSERT_EQ(lost[i], std::fma(a[i], b[i], -out[i])) << a[i] << " * " << b[i];
+  }
+}
+
+TEST_P(Elementary, DotOfVectorsThatCancels) {
+  const auto worst = [&](const testing::VectorPairs& pairs) {
+    return worst_relative(out, [&](std::size_t i) { return pairs.truth[i]; });
+  };
+  const auto narrow = testing::cancelling_pairs<float>(kCount, 12);
+  use.dot_quick(narrow.a.data(), narrow.b.data(), kCount, out.data());
+  EXPECT_LT(worst(narrow), 4e-16L);
+  const auto wide = testing::cancelling_pairs<double>(kCount, 13);
+  use.dot_exact(wide.a.data(), wide.b.data(), kCount, out.data());
+  EXPECT_LT(worst(wide), 4e-16L);
+}
+
 INSTANTIATE_TEST_SUITE_P(EachIsa, Elementary, ::testing::ValuesIn(supported_isas()),
                          [](const auto& at) { return std::string(name_of(at.param)); });
 
 }  // namespace
-}  // namespace gonio
+}  // namespace gonio::testing

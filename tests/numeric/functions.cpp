@@ -2,6 +2,7 @@
 #include "numeric/functions.h"
 
 #include "numeric/elementary.h"
+#include "numeric/warp.h"
 
 namespace gonio::GONIO_ISA {
 namespace {
@@ -34,6 +35,47 @@ void divide(const double* a, const double* b, std::size_t n, double* out) {
     (Quick::load(a + i) / Quick::load(b + i)).store(out + i);
 }
 
+void product(const double* a, const double* b, std::size_t n, double* out, double* error) {
+  for (std::size_t i = 0; i < n; i += raw::kWidth) {
+    Exact rounded, lost;
+    exact_product(Exact::load(a + i), Exact::load(b + i), rounded, lost);
+    rounded.store(out + i), lost.store(error + i);
+  }
+}
+
+template <class D>
+void dot(const double* a, const double* b, std::size_t n, double* out) {
+  const auto vector = [n](const double* at) -> Vec3<D> {
+    return {D::load(at), D::load(at + n), D::load(at + 2 * n)};
+  };
+  for (std::size_t i = 0; i < n; i += raw::kWidth)
+    exact_dot(vector(a + i), vector(b + i)).store(out + i);
+}
+
+template <class Packet, class Number>
+void log2_of_rest(const Number* x, std::size_t n, Number* out) {
+  for (std::size_t i = 0; i < n; i += raw::kWidth)
+    log2_one_minus(Packet::load(x + i)).store(out + i);
+}
+
+template <class Packet, class Number>
+void power_of_two(const Number* x, std::size_t n, Number* power, Number* one_minus) {
+  for (std::size_t i = 0; i < n; i += raw::kWidth) {
+    const auto found = exp2_of(Packet::load(x + i));
+    found.power.store(power + i);
+    found.one_minus.store(one_minus + i);
+  }
+}
+
+template <class Packet, class Number>
+void turns(const Number* x, std::size_t n, Number* cos, Number* sin) {
+  for (std::size_t i = 0; i < n; i += raw::kWidth) {
+    const auto found = turn(Packet::load(x + i));
+    found.cos.store(cos + i);
+    found.sin.store(sin + i);
+  }
+}
+
 }  // namespace
 
 extern const testing::Functions kFunctions;  // NOLINT(readability-redundant-declaration): linkage
@@ -43,6 +85,15 @@ const testing::Functions kFunctions{&weighted_log2<Quick>,
                                     &exp2<Exact, Exact>,
                                     &angle<Quick>,
                                     &angle<Exact>,
-                                    &divide};
+                                    &divide,
+                                    &product,
+                                    &dot<Quick>,
+                                    &dot<Exact>,
+                                    &log2_of_rest<Float>,
+                                    &log2_of_rest<Exact>,
+                                    &power_of_two<Float>,
+                                    &power_of_two<Exact>,
+                                    &turns<Float>,
+                                    &turns<Exact>};
 
 }  // namespace gonio::GONIO_ISA

@@ -16,6 +16,17 @@ struct Functions {
   void (*angle_quick)(const double* y, const double* x, std::size_t n, double* out);
   void (*angle_exact)(const double* y, const double* x, std::size_t n, double* out);
   void (*divide_quick)(const double* a, const double* b, std::size_t n, double* out);
+  void (*product)(const double* a, const double* b, std::size_t n, double* out, double* error);
+  // Of n vectors, each an array of x, then one of y, then one of z.
+  void (*dot_quick)(const double* a, const double* b, std::size_t n, double* out);
+  void (*dot_exact)(const double* a, const double* b, std::size_t n, double* out);
+  // What samples are drawn by (numeric/warp.h).
+  void (*log2_one_minus_32)(const float* x, std::size_t n, float* out);
+  void (*log2_one_minus_64)(const double* x, std::size_t n, double* out);
+  void (*exp2_32)(const float* x, std::size_t n, float* power, float* one_minus);
+  void (*exp2_64)(const double* x, std::size_t n, double* power, double* one_minus);
+  void (*turn_32)(const float* x, std::size_t n, float* cos, float* sin);
+  void (*turn_64)(const double* x, std::size_t n, double* cos, double* sin);
 };
 
 }  // namespace gonio::testing

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "server/busy_pool.h"
+#include "server/evaluation.h"
 #include "server/stream_client.h"
 #include "wire/codec.h"
 
@@ -19,7 +20,7 @@ using Clock = std::chrono::system_clock;
 std::shared_ptr<Evaluation> evaluation_of(std::size_t pairs) {
   const std::string bytes = ggx_request(random_pairs(pairs)).SerializeAsString();
   const grpc::Slice slice(bytes);
-  const auto request = wire::decode_request(grpc::ByteBuffer(&slice, 1));
+  const auto request = wire::decode<wire::Request>(grpc::ByteBuffer(&slice, 1));
   auto evaluation = Evaluation::prepare(*request, core_ggx(), std::size_t{64} << 20);
   EXPECT_TRUE(evaluation.ok());
   return *evaluation;

@@ -111,7 +111,10 @@ TEST(Limits, NoUnusualEncodingGetsALargeMaterialParsed) {
   for (const auto& [method, bytes] :
        std::vector<std::pair<std::string, std::string>>{{"Evaluate", group + request},
                                                         {"Evaluate", request + unknown},
-                                                        {"EvaluateStream", twice}}) {
+                                                        {"EvaluateStream", twice},
+                                                        {"Sample", group + request},
+                                                        {"SampleStream", twice},
+                                                        {"Integrate", request + unknown}}) {
     const grpc::Slice slice(bytes);
     const auto [status, response] =
         raw_call(server.server->in_process_channel(), "/gonio.v1.GonioService/" + method,

@@ -13,7 +13,7 @@ TEST(MaterialCache, FindsWhatWasKept) {
   const Material gold = core_ggx();
   cache.keep("a", gold);
   ASSERT_TRUE(cache.find("a"));
-  EXPECT_EQ(&cache.find("a")->impl(), &gold.impl());
+  EXPECT_EQ(&cache.find("a")->material().impl(), &gold.impl());
   EXPECT_FALSE(cache.find("b"));
 }
 
@@ -35,6 +35,20 @@ TEST(MaterialCache, DoesNotKeepWhatIsLarge) {
   const std::string large(5000, 'x');
   cache.keep(large, core_ggx());
   EXPECT_FALSE(cache.find(large));
+}
+
+// It is made once, whichever copy is asked first.
+TEST(MaterialCache, KeepsTheSamplerWithTheMaterial) {
+  MaterialCache cache;
+  cache.keep("a", core_ggx());
+  const PreparedMaterial first = *cache.find("a");
+  EXPECT_FALSE(first.has_sampler());
+  const std::size_t bytes = first.bytes();
+  const Sampler& sampler = first.sampler();
+  const PreparedMaterial again = *cache.find("a");
+  EXPECT_TRUE(again.has_sampler());
+  EXPECT_EQ(&again.sampler(), &sampler);
+  EXPECT_EQ(again.bytes(), bytes + sampler.bytes());
 }
 
 TEST(MaterialCache, ErrorsAreNotRemembered) {

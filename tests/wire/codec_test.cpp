@@ -23,7 +23,7 @@ TEST(Encode, RequestIsAPlainMessage) {
   const PairSlices pairs = some_pairs();
   v1::EvaluateRequest parsed;
   ASSERT_TRUE(
-      parsed.ParseFromString(text_of(encode_request(request_head().SerializeAsString(), &pairs))));
+      parsed.ParseFromString(text_of(encode_request(request_head().SerializeAsString(), pairs))));
   EXPECT_THAT(parsed.pairs().wi(), ElementsAreArray(kWi));
   EXPECT_THAT(parsed.pairs().wo(), ElementsAreArray(kWo));
   parsed.clear_directions();
@@ -40,7 +40,7 @@ TEST(Encode, ArraysOfAnyLengthAreWrittenAsTheGeneratedCodeDoes) {
     };
     const PairSlices pairs{slice(request.pairs().wi()), slice(request.pairs().wo()), false};
     const std::string head = request_head().SerializeAsString();
-    EXPECT_EQ(text_of(encode_request(head, &pairs)), request.SerializeAsString()) << count;
+    EXPECT_EQ(text_of(encode_request(head, pairs)), request.SerializeAsString()) << count;
   }
 }
 
@@ -49,7 +49,7 @@ TEST(Encode, StreamRequestWithDoublesIsAPlainMessage) {
   const PairSlices pairs{slice_of(wi), slice_of(wo), true};
   v1::EvaluateStreamRequest parsed;
   ASSERT_TRUE(parsed.ParseFromString(
-      text_of(encode_stream_request(1ULL << 40, 255, request_head().SerializeAsString(), &pairs))));
+      text_of(encode_stream_request(1ULL << 40, 255, request_head().SerializeAsString(), pairs))));
   EXPECT_EQ(parsed.sequence(), 1ULL << 40);
   EXPECT_EQ(parsed.slot(), 255U);
   EXPECT_THAT(parsed.evaluate().pairs_f64().wi(), ElementsAreArray(wi));
@@ -61,9 +61,9 @@ TEST(Encode, EmptyBatchKeepsItsKind) {
   const PairSlices none;
   v1::EvaluateRequest parsed;
   ASSERT_TRUE(
-      parsed.ParseFromString(text_of(encode_request(request_head().SerializeAsString(), &none))));
+      parsed.ParseFromString(text_of(encode_request(request_head().SerializeAsString(), none))));
   EXPECT_TRUE(parsed.has_pairs());
-  const auto decoded = decode_request(encode_request(request_head().SerializeAsString(), &none));
+  const auto decoded = decode<Request>(encode_request(request_head().SerializeAsString(), none));
   ASSERT_TRUE(decoded.ok());
   EXPECT_EQ(decoded->kind, Request::Kind::pairs);
   EXPECT_EQ(decoded->wi.count, 0U);
@@ -74,7 +74,7 @@ TEST(Encode, GridTravelsInTheHead) {
   head.mutable_grid()->add_theta_h(0.5);
   head.mutable_grid()->set_count(7);
   const auto decoded =
-      decode_stream_request(encode_stream_request(9, 3, head.SerializeAsString(), nullptr));
+      decode<StreamRequest>(encode_stream_request(9, 3, head.SerializeAsString(), {}));
   ASSERT_TRUE(decoded.ok() && decoded->request.ok());
   EXPECT_EQ(decoded->sequence, 9U);
   EXPECT_EQ(decoded->slot, 3U);
@@ -114,15 +114,17 @@ TEST(Decode, StreamResponseRoundTrip) {
   ResponseParts parts = some_response();
   const std::vector<double> values = {1.5, 2.5, 3.5};
   parts.values = slice_of(values);
+  parts.pdf = slice_of(std::vector<double>{4.5});
   parts.is_f64 = true;
   parts.flags = {};
-  const auto decoded = decode_stream_response(encode_stream_response(5, parts));
+  const auto decoded = decode<StreamResponse>(encode_stream_response(5, parts));
   ASSERT_TRUE(decoded.ok());
   EXPECT_EQ(decoded->sequence, 5U);
   const auto& response = std::get<Response>(decoded->result);
   EXPECT_TRUE(response.is_f64);
   EXPECT_EQ(response.flags.count, 0U);
   EXPECT_THAT(elements<double>(response.bytes, response.values), ElementsAreArray(values));
+  EXPECT_EQ(elements<double>(response.bytes, response.pdf), std::vector<double>{4.5});
   EXPECT_TRUE(MessageDifferencer::Equals(response.head, parts.head));
 }
 
@@ -130,7 +132,7 @@ TEST(Decode, StreamErrorRoundTrip) {
   v1::ErrorDetail error;
   error.set_code(3);
   error.set_field("material.model");
-  const auto decoded = decode_stream_response(encode_stream_error(0, error));
+  const auto decoded = decode<StreamResponse>(encode_stream_error(0, error));
   ASSERT_TRUE(decoded.ok());
   EXPECT_EQ(decoded->sequence, 0U);
   EXPECT_TRUE(MessageDifferencer::Equals(std::get<v1::ErrorDetail>(decoded->result), error));

@@ -18,7 +18,7 @@ using ::testing::ElementsAre;
 void expect_same_as_generated(const std::string& bytes, std::size_t slice) {
   v1::EvaluateRequest expected;
   const bool legal = expected.ParseFromString(bytes);
-  const auto decoded = decode_request(buffer_of(bytes, slice));
+  const auto decoded = decode<Request>(buffer_of(bytes, slice));
   ASSERT_EQ(decoded.ok(), legal);
   if (!legal) return;
   v1::EvaluateRequest rebuilt = decoded->head;
@@ -77,7 +77,7 @@ TEST(DecodeAny, UnpackedFloats) {
   put_bytes(pairs, 2, packed({4, 5, 6}));
   put_bytes(request, 4, pairs);
   expect_same_as_generated(request, 5);
-  const auto decoded = decode_request(buffer_of(request));
+  const auto decoded = decode<Request>(buffer_of(request));
   EXPECT_THAT(elements<float>(decoded->bytes, decoded->wi), ElementsAre(1, 2, 3));
 }
 
@@ -89,7 +89,7 @@ TEST(DecodeAny, ArraysSplitOverSeveralFields) {
   put_float(pairs, 1, 3);
   put_bytes(request, 4, pairs);
   expect_same_as_generated(request, 3);
-  const auto decoded = decode_request(buffer_of(request));
+  const auto decoded = decode<Request>(buffer_of(request));
   EXPECT_THAT(elements<float>(decoded->bytes, decoded->wo), ElementsAre(4, 5, 6));
 }
 
@@ -100,7 +100,7 @@ TEST(DecodeAny, PairsGivenTwiceAreMerged) {
   put_bytes(request, 4, first);
   put_bytes(request, 4, second);
   expect_same_as_generated(request, 100);
-  const auto decoded = decode_request(buffer_of(request));
+  const auto decoded = decode<Request>(buffer_of(request));
   EXPECT_THAT(elements<float>(decoded->bytes, decoded->wi), ElementsAre(1, 2));
 }
 
@@ -112,7 +112,7 @@ TEST(DecodeAny, TheLastOfAOneofWins) {
   put_bytes(request, 6, grid);
   put_bytes(request, 4, pairs);
   expect_same_as_generated(request, 2);
-  EXPECT_EQ(decode_request(buffer_of(request))->kind, Request::Kind::pairs);
+  EXPECT_EQ(decode<Request>(buffer_of(request))->kind, Request::Kind::pairs);
 }
 
 TEST(DecodeAny, AMaterialGivenTwiceIsMerged) {
@@ -148,7 +148,7 @@ TEST(DecodeAny, StreamRequestWithUnknownFieldsAndTheRequestFirst) {
   put_bytes(bytes, 50, "unknown");
   put_tag(bytes, 1, WireType::varint);
   put_varint(bytes, 3);
-  const auto decoded = decode_stream_request(buffer_of(bytes, 6));
+  const auto decoded = decode<StreamRequest>(buffer_of(bytes, 6));
   ASSERT_TRUE(decoded.ok() && decoded->request.ok());
   EXPECT_EQ(decoded->sequence, 3U);
   EXPECT_EQ(decoded->request->wi.count, 6U);
@@ -159,7 +159,7 @@ TEST(DecodeAny, ABrokenRequestSpoilsItsChunkOnly) {
   put_tag(bytes, 1, WireType::varint);
   put_varint(bytes, 12);
   put_bytes(bytes, 3, "\xff\xff\xff");
-  const auto decoded = decode_stream_request(buffer_of(bytes));
+  const auto decoded = decode<StreamRequest>(buffer_of(bytes));
   ASSERT_TRUE(decoded.ok());
   EXPECT_EQ(decoded->sequence, 12U);
   ASSERT_FALSE(decoded->request.ok());
@@ -170,7 +170,7 @@ TEST(DecodeAny, UnpackedValuesOfAResponse) {
   std::string bytes;
   put_float(bytes, 4, 1);
   put_float(bytes, 4, 2);
-  const auto decoded = decode_response(buffer_of(bytes));
+  const auto decoded = decode<Response>(buffer_of(bytes));
   ASSERT_TRUE(decoded.ok());
   EXPECT_THAT(elements<float>(decoded->bytes, decoded->values), ElementsAre(1, 2));
 }

@@ -9,33 +9,10 @@
 #include "gonio/v1/evaluate.pb.h"
 #include "wire/codec.h"
 #include "wire/messages.h"
+#include "wire/mutated.h"
 
 namespace gonio::wire::testing {
 namespace {
-
-std::string mutated(std::string bytes, std::mt19937& random) {
-  const int edits = 1 + static_cast<int>(random() % 4);
-  for (int i = 0; i < edits && !bytes.empty(); ++i) {
-    const std::size_t at = random() % bytes.size();
-    switch (random() % 5) {
-      case 0:
-        bytes[at] = static_cast<char>(random());
-        break;
-      case 1:
-        bytes[at] = static_cast<char>(bytes[at] ^ (1 << (random() % 8)));
-        break;
-      case 2:
-        bytes.resize(at);
-        break;
-      case 3:
-        bytes.erase(at, 1 + random() % 8);
-        break;
-      default:
-        bytes.insert(at, std::string(1 + random() % 8, static_cast<char>(random())));
-    }
-  }
-  return bytes;
-}
 
 // The codec leaves the material to others.
 bool is_legal(const Result<Request>& decoded) {
@@ -65,7 +42,7 @@ TEST(Fuzz, MutatedRequestsAgreeWithTheGeneratedParser) {
         mutated(request_with_pairs(random() % 9, random).SerializeAsString(), random);
     v1::EvaluateRequest expected;
     const bool legal = expected.ParseFromString(bytes);
-    const auto decoded = decode_request(buffer_of(bytes, 1 + random() % 40));
+    const auto decoded = decode<Request>(buffer_of(bytes, 1 + random() % 40));
     ASSERT_EQ(is_legal(decoded), legal) << "round " << round;
     if (!decoded.ok()) {
       EXPECT_EQ(decoded.error().code, ErrorCode::invalid_argument);
@@ -91,9 +68,9 @@ TEST(Fuzz, MutatedStreamMessagesDoNotCrash) {
     request.set_slot(random() % 256);
     *request.mutable_evaluate() = request_with_pairs(random() % 5, random);
     const auto buffer = buffer_of(mutated(request.SerializeAsString(), random), 1 + random() % 40);
-    const auto decoded = decode_stream_request(buffer);
+    const auto decoded = decode<StreamRequest>(buffer);
     if (decoded.ok() && decoded->request.ok()) touch(*decoded->request);
-    const auto response = decode_stream_response(buffer);
+    const auto response = decode<StreamResponse>(buffer);
     if (response.ok() && std::holds_alternative<Response>(response->result)) {
       const auto& found = std::get<Response>(response->result);
       if (!found.is_f64) elements<float>(found.bytes, found.values);
@@ -107,7 +84,7 @@ TEST(Fuzz, RandomBytesDoNotCrash) {
   for (int round = 0; round < 10'000; ++round) {
     std::string bytes(random() % 64, '\0');
     for (char& byte : bytes) byte = static_cast<char>(random());
-    const auto decoded = decode_request(buffer_of(bytes, 1 + random() % 9));
+    const auto decoded = decode<Request>(buffer_of(bytes, 1 + random() % 9));
     EXPECT_EQ(is_legal(decoded), v1::EvaluateRequest().ParseFromString(bytes));
   }
 }

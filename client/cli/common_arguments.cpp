@@ -1,0 +1,70 @@
+#include "client/cli/common_arguments.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+
+namespace gonio::cli {
+
+const char* const kMaterialHelp = R"(
+Material M, in this order:
+  {...}                 inline JSON: {"model": "ggx", "parameters": {"f0": [1, 0.71, 0.29], "alpha_x": 0.2}},
+                        a sum {"diffuse": {...}, "specular": [{...}, ...]}, or {"name": "stored"}
+  FILE.json, DIR/FILE   a file with such JSON
+  FILE.binary           a measured material in MERL's format (not with --server)
+  NAME                  a material that the server holds ('gonio models' lists them)
+)";
+
+const char* const kFlagHelp =
+    R"(1 not unit length, 2 not finite, 4 zero vector, 8 wi below the horizon, 16 wo below the horizon,
+32 outside the measured data)";
+
+client::EvaluateOptions CommonArguments::evaluate_options() const {
+  client::EvaluateOptions options;
+  options.instruction_set = client::instruction_set_of(isa).value();
+  return options;
+}
+
+void add_material_options(CLI::App& command, CommonArguments& arguments) {
+  command.add_option("--material,-m", arguments.material, "What to evaluate (see below)")
+      ->type_name("M")
+      ->required();
+  command
+      .add_option("--precision", arguments.precision,
+                  "fast (float32, the default) or reference (float64)")
+      ->type_name("P")
+      ->check(CLI::IsMember({"fast", "reference"}).description(""));
+  command
+      .add_option("--isa", arguments.isa,
+                  "Instruction set: auto (the default), baseline, avx2, avx512")
+      ->type_name("SET")
+      ->check(CLI::IsMember({"auto", "baseline", "avx2", "avx512"}).description(""));
+  add_connection_options(command, arguments.connection);
+}
+
+void add_result_options(CLI::App& command, CommonArguments& arguments, const std::string& items) {
+  command
+      .add_option("--format", arguments.format,
+                  "csv, json or npy; else by OUT's extension, else csv")
+      ->type_name("F")
+      ->check(CLI::IsMember({"csv", "json", "npy"}).description(""));
+  command
+      .add_option("-o,--output", arguments.output, "Where the results go; - is stdout, the default")
+      ->type_name("OUT");
+  command.add_flag("--quiet,-q", arguments.quiet,
+                   "No progress bar and no summary of flagged " + items);
+  command.add_flag("--verbose,-v", arguments.verbose,
+                   "Report time, speed, instruction set and accuracy on stderr");
+}
+
+Result<Format> chosen_format(const CommonArguments& arguments) {
+  auto format = format_named(arguments.format);
+  if (!format) format = format_of_file(arguments.output);
+  const Format chosen = format.value_or(Format::csv);
+  if (chosen == Format::npy && arguments.output == "-" && ::isatty(STDOUT_FILENO) != 0) {
+    return bad_value("--format", "npy, for a terminal", "npy with -o FILE or a pipe");
+  }
+  return chosen;
+}
+
+}  // namespace gonio::cli
