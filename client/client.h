@@ -38,6 +38,7 @@
 #include <string_view>
 
 #include "base/result.h"
+#include "client/fit.h"
 #include "client/grid.h"
 #include "client/material.h"
 #include "client/models.h"
@@ -194,6 +195,15 @@ class Client {
   Result<Albedos> integrate(const Material& material, std::span<const double> wi,
                             std::uint64_t per_wi, const NumberSource& numbers = {},
                             const EvaluateOptions& options = {}) const;
+
+  // Fits what `form` names (models and words; numbers in it are a first guess) to measured
+  // reflectance: see client/fit.h. The data travel as one message: up to some 1.5 million pairs of
+  // three channels with goniod's default limit. The same data, options and processor give the same
+  // result, so that a fit that a failing connection lost is begun again. Errors: `cancelled` if
+  // `watch` stops it (within 0.2 s, on the server too), deadline_exceeded, and what the server
+  // says. Data that say nothing are no error: the verdict is then `failed`, with the reason.
+  Result<FitResult> fit(const FitData& data, const Material& form, const FitOptions& options = {},
+                        const FitWatch& watch = {}) const;
 
  private:
   struct State;

@@ -155,18 +155,27 @@ Result<Material> build_measured(const Struct& parameters, const std::string& pre
   return Material::from_table(std::move(*table), interpolation);
 }
 
+// The name of the material itself, from what stands before its fields.
+std::string field_of(std::string_view prefix) {
+  return prefix.empty() ? "material" : std::string(prefix.substr(0, prefix.size() - 1));
+}
+
 }  // namespace
+
+Result<MaterialSpec> material_spec(const v1::Material& material, std::string_view prefix) {
+  const auto form = check_form(material, field_of(prefix));
+  if (!form) return form.error();
+  return to_spec(material, std::string(prefix));
+}
 
 Result<Material> build_material(const v1::Material& material, std::string_view prefix,
                                 const FindFile& find_file) {
-  const std::string prefix_text(prefix);
-  const std::string field =
-      prefix.empty() ? "material" : prefix_text.substr(0, prefix_text.size() - 1);
-  const auto form = check_form(material, field);
-  if (!form) return form.error();
-  if (material.model() == kMeasuredModel)
-    return build_measured(material.parameters(), prefix_text, find_file);
-  const auto spec = to_spec(material, prefix_text);
+  if (material.model() == kMeasuredModel) {
+    const auto form = check_form(material, field_of(prefix));
+    if (!form) return form.error();
+    return build_measured(material.parameters(), std::string(prefix), find_file);
+  }
+  const auto spec = material_spec(material, prefix);
   if (!spec) return spec.error();
   return Material::create(*spec, prefix);
 }

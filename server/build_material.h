@@ -25,4 +25,7 @@ using FindFile = std::function<Result<std::filesystem::path>(const std::string& 
 Result<Material> build_material(const v1::Material& material, std::string_view prefix,
                                 const FindFile& find_file);
 
+// What a model or a sum says, unchecked but for its form. Errors as above.
+Result<MaterialSpec> material_spec(const v1::Material& material, std::string_view prefix);
+
 }  // namespace gonio

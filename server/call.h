@@ -14,6 +14,7 @@
 #include "base/happens_before.h"
 #include "base/result.h"
 #include "engine/thread_pool.h"
+#include "server/fit_queue.h"
 #include "server/materials.h"
 #include "server/memory_budget.h"
 #include "server/work.h"
@@ -27,6 +28,12 @@ class logger;
 
 namespace gonio {
 
+// Where fits run, and for how long one may.
+struct FitBackend {
+  FitQueue& queue;
+  std::chrono::milliseconds longest;
+};
+
 // References to what outlives every call. Thread safety: all of it may be used from any thread.
 struct Backend {
   const Materials& materials;
@@ -35,6 +42,7 @@ struct Backend {
   std::size_t max_queued_jobs;
   spdlog::logger& logger;
   MemoryBudget& memory;
+  FitBackend fits;
 
   // gRPC makes calls after a server's start, and ends its shutdown after the last of them: what was
   // done with the backend before server_begins() is over at call_begins(), and what a call did
@@ -80,6 +88,7 @@ Outcome compute(const Backend& backend, const std::shared_ptr<Work>& work, const
 
 // How long a client that was refused for this should wait: some jobs are done by then.
 inline constexpr const char* kPushbackMilliseconds = "20";
+inline constexpr const char* kFitPushbackMilliseconds = "1000";
 
 // One line a call, at level debug.
 struct AccessLine {

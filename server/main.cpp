@@ -20,6 +20,7 @@ struct Arguments {
   gonio::ServerOptions server;
   std::size_t max_message_mb = 64;
   std::size_t memory_quota_mb = 1024;
+  double longest_fit_seconds = 600;
   double lame_duck_seconds = 0.5;
   double grace_seconds = 5;
   std::string log_level = "info";
@@ -65,10 +66,26 @@ void describe_limits(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
 }
 
+void describe_fits(CLI::App& app, Arguments& arguments) {
+  app.add_option("--fit-threads", arguments.server.fit_threads,
+                 "Threads for fits, beside the compute threads and at the lowest priority")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_option("--max-fits", arguments.server.max_fits,
+                 "Fits that wait or run at a time; more are refused")
+      ->check(CLI::Range(1, 1 << 20))
+      ->capture_default_str();
+  app.add_option("--longest-fit", arguments.longest_fit_seconds,
+                 "Seconds after which a fit is given up, waiting included")
+      ->check(CLI::Range(0.001, 1e6))
+      ->capture_default_str();
+}
+
 void describe(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", std::string("goniod ") + gonio::kVersion);
   describe_service(app, arguments.server);
   describe_limits(app, arguments);
+  describe_fits(app, arguments);
   app.add_option("--log-level", arguments.log_level, "trace, debug, info, warning, error or off")
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
       ->capture_default_str();
@@ -103,6 +120,7 @@ sigset_t block_stop_signals() {
 int serve(Arguments& arguments, const sigset_t& signals) {
   arguments.server.max_message_bytes = arguments.max_message_mb << 20;
   arguments.server.memory_quota_bytes = arguments.memory_quota_mb << 20;
+  arguments.server.longest_fit = to_milliseconds(arguments.longest_fit_seconds);
   arguments.server.lame_duck = to_milliseconds(arguments.lame_duck_seconds);
   arguments.server.logger = gonio::make_logger(arguments.log_level, arguments.log_format == "json"
                                                                         ? gonio::LogFormat::json

@@ -33,6 +33,19 @@ int threads_of(const ServerOptions& options) {
                              : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+Outcome check_fits(const ServerOptions& options) {
+  if (options.fit_threads < 1 || options.fit_threads > kMaxThreads) {
+    return bad_value("fit_threads", std::to_string(options.fit_threads),
+                     "1 to " + std::to_string(kMaxThreads));
+  }
+  if (options.max_fits == 0) return bad_value("max_fits", "0", "1 or more");
+  if (options.longest_fit.count() <= 0) {
+    return bad_value("longest_fit", std::to_string(options.longest_fit.count()) + " ms",
+                     "1 ms or more");
+  }
+  return Ok{};
+}
+
 Outcome check(const ServerOptions& options) {
   if (options.threads < 0 || options.threads > kMaxThreads) {
     return bad_value("threads", std::to_string(options.threads),
@@ -48,7 +61,7 @@ Outcome check(const ServerOptions& options) {
                      "at least max_message_bytes, " + std::to_string(options.max_message_bytes));
   }
   if (options.max_queued_jobs == 0) return bad_value("max_queued_jobs", "0", "1 or more");
-  return Ok{};
+  return check_fits(options);
 }
 
 Result<std::vector<Address>> claim_all(const std::vector<std::string>& texts) {
@@ -79,8 +92,9 @@ struct Server::State {
         materials(std::move(loaded)),
         memory(given.memory_quota_bytes),
         pool(threads_of(given), given.max_queued_jobs),
-        service(
-            {materials, pool, given.max_message_bytes, given.max_queued_jobs, *logger, memory}) {}
+        fits(given.fit_threads, given.max_fits),
+        service({materials, pool, given.max_message_bytes, given.max_queued_jobs, *logger, memory,
+                 FitBackend{fits, given.longest_fit}}) {}
 
   Outcome listen(const std::vector<Address>& addresses);
   void stop(std::chrono::milliseconds grace);
@@ -90,6 +104,7 @@ struct Server::State {
   Materials materials;
   MemoryBudget memory;
   ThreadPool pool;  // outlived by nothing that uses it: the calls end with `grpc`
+  FitQueue fits;    // likewise
   Service service;
   std::unique_ptr<grpc::Server> grpc;
   std::vector<SocketFile> socket_files;

@@ -43,6 +43,12 @@ struct ServerOptions {
   // How long shutdown() goes on serving while it already reports NOT_SERVING, so that balancers
   // look elsewhere.
   std::chrono::milliseconds lame_duck{0};
+  // Threads for fits, beside the compute threads and at the lowest priority; fits that wait or run
+  // at a time (one more is refused with RESOURCE_EXHAUSTED); how long one may take, waiting
+  // included.
+  int fit_threads = 2;
+  std::size_t max_fits = 16;
+  std::chrono::milliseconds longest_fit = std::chrono::minutes(10);
   // Null: no log.
   std::shared_ptr<spdlog::logger> logger = nullptr;
 };

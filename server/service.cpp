@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "server/evaluation.h"
+#include "server/fit_call.h"
 #include "server/integration.h"
 #include "server/list_models.h"
 #include "server/sampling.h"
@@ -64,6 +65,12 @@ grpc::ServerUnaryReactor* Service::Integrate(grpc::CallbackServerContext* contex
                                              grpc::ByteBuffer* response) {
   backend_.call_begins();
   return UnaryCall<Integration>::start(backend_, *context, *request, *response);
+}
+
+grpc::ServerWriteReactor<grpc::ByteBuffer>* Service::Fit(grpc::CallbackServerContext* context,
+                                                         const grpc::ByteBuffer* request) {
+  backend_.call_begins();
+  return FitCall::start(backend_, *context, *request);
 }
 
 }  // namespace gonio

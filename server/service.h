@@ -15,8 +15,9 @@ using RawEvaluate = WireService::WithRawCallbackMethod_Evaluate<
     WireService::WithRawCallbackMethod_EvaluateStream<WireService::Service>>;
 using RawSample = WireService::WithRawCallbackMethod_Sample<
     WireService::WithRawCallbackMethod_SampleStream<RawEvaluate>>;
+using RawFit = WireService::WithRawCallbackMethod_Fit<RawSample>;
 using RawService = WireService::WithCallbackMethod_ListModels<
-    WireService::WithRawCallbackMethod_Integrate<RawSample>>;
+    WireService::WithRawCallbackMethod_Integrate<RawFit>>;
 
 class Service final : public RawService {
  public:
@@ -31,6 +32,8 @@ class Service final : public RawService {
                                      grpc::ByteBuffer* response) override;
   grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* EvaluateStream(
       grpc::CallbackServerContext* context) override;
+  grpc::ServerWriteReactor<grpc::ByteBuffer>* Fit(grpc::CallbackServerContext* context,
+                                                  const grpc::ByteBuffer* request) override;
 
   grpc::ServerUnaryReactor* Sample(grpc::CallbackServerContext* context,
                                    const grpc::ByteBuffer* request,

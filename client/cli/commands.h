@@ -22,5 +22,7 @@ Command add_sample_command(CLI::App& app);
 Command add_albedo_command(CLI::App& app);
 Command add_lobe_command(CLI::App& app);
 Command add_render_command(CLI::App& app);
+Command add_fit_command(CLI::App& app);
+Command add_compare_command(CLI::App& app);
 
 }  // namespace gonio::cli

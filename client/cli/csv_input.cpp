@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "client/cli/csv_fields.h"
 #include "client/cli/numbers.h"
 #include "client/cli/pair_input.h"
 #include "engine/grid.h"
@@ -22,21 +23,6 @@ const char* headers_of(InputKind what) {
                                   : "a header with the columns wi_x,wi_y,wi_z or theta_i,phi_i";
 }
 constexpr std::size_t kUnused = 99;  // a column that is not ours
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
-}
-
-// Takes the field before the first comma off `rest`.
-std::string_view next_field(std::string_view& rest, bool& more) {
-  const std::size_t comma = rest.find(',');
-  more = comma != std::string_view::npos;
-  const std::string_view field = rest.substr(0, comma);
-  rest.remove_prefix(more ? comma + 1 : rest.size());
-  return trimmed(field);
-}
 
 // The first half of the names is that of wi.
 std::span<const std::string_view> names_of(std::span<const std::string_view> all, InputKind what) {

@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstring>
-#include <regex>
 #include <utility>
 
+#include "client/cli/npy_header.h"
 #include "client/cli/pair_input.h"
 
 namespace gonio::cli {
@@ -12,15 +11,6 @@ namespace {
 
 // wi_x, wi_y, wi_z, and for pairs wo_x, wo_y, wo_z.
 std::size_t columns_of(InputKind what) { return what == InputKind::pairs ? 6 : 3; }
-
-// A usual one has about a hundred bytes. std::regex recurses for every character: tens of
-// thousands of them are more than a stack holds.
-constexpr std::size_t kLongestHeader = 4096;
-
-struct Header {
-  bool is_f64 = false;
-  std::uint64_t rows = 0;
-};
 
 // An NPY file on its way in: errors need the name and what is wanted of it.
 struct File {
@@ -35,65 +25,20 @@ struct File {
   }
 };
 
-// The header's text, a Python dictionary (format versions 1 to 3).
-Result<std::string> read_header_text(File& file) {
-  ByteSource& source = file.source;
-  std::array<unsigned char, 12> start{};
-  auto got = source.read(start.data(), 8);
-  if (!got) return got.error();
-  const int version = start[6];
-  const std::size_t length_bytes = version == 1 ? 2 : 4;
-  if (*got == 8 && (version < 1 || version > 3)) {
-    return file.error("is NPY version " + std::to_string(version) + ", not 1 to 3",
-                      std::to_string(version));
-  }
-  got = source.read(&start[8], length_bytes);
-  if (!got) return got.error();
-  std::size_t length = 0;
-  for (std::size_t i = length_bytes; i-- > 0;) length = length << 8 | start[8 + i];
-  if (length > kLongestHeader) {
-    return bad_value(source.name() + ": the length of its NPY header", std::to_string(length),
-                     "at most " + std::to_string(kLongestHeader) + " bytes");
-  }
-  std::string text(length, '\0');
-  got = source.read(text.data(), text.size());
-  if (!got) return got.error();
-  if (*got < text.size() || length == 0) {
-    return file.error("ends within its header, or is no NPY file", "truncated");
-  }
-  return text;
-}
-
-std::string find(const std::string& text, const char* pattern) {
-  std::smatch match;
-  return std::regex_search(text, match, std::regex(pattern)) ? match[1].str() : std::string();
-}
-
-Result<Header> read_header(File& file) {
-  auto text = read_header_text(file);
-  if (!text) return text.error();
-  const std::string type = find(*text, R"('descr'\s*:\s*'([^']*)')");
-  const std::string order = find(*text, R"('fortran_order'\s*:\s*(True|False))");
-  const std::string shape = find(*text, R"('shape'\s*:\s*(\([^)]*\)))");
-  const std::string columns = std::to_string(columns_of(file.what));
-  const std::string rows =
-      find(shape, (R"(^\(\s*(\d+)L?\s*,\s*)" + columns + R"(L?\s*,?\s*\)$)").c_str());
-  if (type != "<f4" && type != "<f8") {
-    return file.error("holds numbers of type '" + type + "'", type);
-  }
-  if (order != "False") return file.error("is in Fortran order", "Fortran order");
-  Header header{type == "<f8", 0};
-  const auto [at, error] = std::from_chars(rows.data(), rows.data() + rows.size(), header.rows);
-  if (rows.empty() || error != std::errc{}) {
-    return file.error("has the shape " + shape, shape);
-  }
+Result<NpyHeader> read_header(File& file) {
+  const auto error = [&](const std::string& problem, const std::string& value) {
+    return file.error(problem, value);
+  };
+  auto header = read_npy_header(file.source, error);
+  if (header && header->columns != columns_of(file.what))
+    return error("has the shape " + header->shape(), header->shape());
   return header;
 }
 
 template <class T>
 class NpyInput final : public PairInput<T> {
  public:
-  NpyInput(File file, Header header)
+  NpyInput(File file, NpyHeader header)
       : file_(std::move(file)), header_(header), columns_(columns_of(file_.what)) {}
 
   Result<std::size_t> read(std::span<T> wi, std::span<T> wo) override {
@@ -141,7 +86,7 @@ class NpyInput final : public PairInput<T> {
   }
 
   File file_;
-  Header header_;
+  NpyHeader header_;
   std::size_t columns_;
   std::uint64_t done_ = 0;
   std::vector<char> buffer_;

@@ -2,12 +2,13 @@
 
 #include <utility>
 
+#include "client/cli/npy_header.h"
+
 namespace gonio::cli {
 
 template <class T>
 Result<std::unique_ptr<PairInput<T>>> open_pairs(InputKind what, const std::string& file,
                                                  bool degrees, bool keep_angles) {
-  constexpr std::string_view kNpyMagic = "\x93NUMPY";
   auto source = ByteSource::open(file);
   if (!source) return std::move(source).error();
   auto start = source->peek(kNpyMagic.size());

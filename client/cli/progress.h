@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace gonio::cli {
 
@@ -18,9 +19,12 @@ class Progress {
 
   // `fraction` done, 0 to 1, where that is known. Draws a few times a second at most.
   void update(std::uint64_t done, std::optional<double> fraction);
+  // The same for what is not counted: `text` says what goes on.
+  void show(double fraction, const std::string& text);
 
  private:
   using Clock = std::chrono::steady_clock;
+  bool is_due();
 
   bool shown_;
   const char* items_;

@@ -81,14 +81,13 @@ Material Material::from_table(std::shared_ptr<const MeasuredTable> table,
   const ModelDescription& description = models().back();
   impl->fast = description.fast;
   impl->reference = description.reference;
-  // The constants keep the table alive.
+  // Keeps the table that it points to alive: parts are evaluated without their material.
   struct Owner {
     MeasuredConstants constants;
     std::shared_ptr<const MeasuredTable> table;
   };
-  auto owner = std::make_shared<Owner>();
-  owner->constants = {table->data()};
-  owner->table = std::move(table);
+  auto owner = std::make_shared<Owner>(Owner{{table->data()}, table});
+  impl->table = std::move(table);
   const MeasuredConstants* constants = &owner->constants;
   impl->parts.push_back({interpolation == Interpolation::linear
                              ? MaterialPart::Source::measured_linear

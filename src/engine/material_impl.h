@@ -29,6 +29,7 @@ struct Material::Impl {
   std::vector<MaterialPart> parts;  // at least one; the values add up
   ErrorBound fast, reference;
   std::size_t bytes = 0;
+  std::shared_ptr<const MeasuredTable> table;  // of a measured material, else null
 };
 
 // The checked lobes of a specification, in order: the diffuse base first.

@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstring>
-
+#include "cli/npy_file.h"
 #include "cli/run_process.h"
 
 namespace gonio::test {
@@ -18,21 +17,6 @@ const std::string kEvaluate =
     R"(gonio evaluate --material '{"model": "lambertian", "parameters": {"rd": [0.5, 0.25]}}' )";
 const std::string kHeader = "wi_x,wi_y,wi_z,wo_x,wo_y,wo_z\n";
 const std::string kLit = "0.159154937,0.0795774683,0";
-
-std::string npy(const std::string& type, const std::string& order, const std::string& shape,
-                const std::string& data) {
-  std::string header =
-      "{'descr': '" + type + "', 'fortran_order': " + order + ", 'shape': " + shape + ", }";
-  header.resize(117, ' ');
-  return std::string("\x93NUMPY\x01\x00\x76\x00", 10) + header + "\n" + data;
-}
-
-template <class T>
-std::string bytes_of(const std::vector<T>& numbers) {
-  std::string bytes(numbers.size() * sizeof(T), '\0');
-  std::memcpy(bytes.data(), numbers.data(), bytes.size());
-  return bytes;
-}
 
 TEST(CsvInput, DirectionsFromFileAndFromStandardInput) {
   const gonio::testing::TempFolder folder;

@@ -14,7 +14,7 @@ import unittest
 
 import grpc
 
-from gonio.v1 import error_pb2, evaluate_pb2, models_pb2, sample_pb2
+from gonio.v1 import error_pb2, evaluate_pb2, fit_pb2, models_pb2, sample_pb2
 
 GONIOD = sys.argv.pop(1)
 SERVICE = "/gonio.v1.GonioService/"
@@ -53,6 +53,8 @@ class PythonClient(unittest.TestCase):
         cls.evaluate_stream = staticmethod(cls.channel.stream_stream(
             SERVICE + "EvaluateStream", evaluate.EvaluateStreamRequest.SerializeToString,
             evaluate.EvaluateStreamResponse.FromString))
+        cls.fit = staticmethod(cls.channel.unary_stream(
+            SERVICE + "Fit", fit_pb2.FitRequest.SerializeToString, fit_pb2.FitResponse.FromString))
         cls.sample = staticmethod(cls.channel.unary_unary(
             SERVICE + "Sample", sample_pb2.SampleRequest.SerializeToString,
             sample_pb2.SampleResponse.FromString))
@@ -156,6 +158,44 @@ class PythonClient(unittest.TestCase):
         self.assertEqual(detail.value, "7")
         self.assertIn("1", detail.allowed)
         self.assertEqual(detail.message, raised.exception.details())
+
+    def test_fits_what_it_measured(self):
+        colour = [0.5, 0.25]
+        truth = lambertian(colour)
+        truth.pairs.wi.extend(directions(2000, 3))
+        truth.pairs.wo.extend(directions(2000, 4))
+        measured = self.evaluate(truth, timeout=60)
+        request = fit_pb2.FitRequest()
+        request.pairs.wi.extend(truth.pairs.wi)
+        request.pairs.wo.extend(truth.pairs.wo)
+        request.pairs.values.extend(measured.values)
+        request.pairs.channels = measured.channels
+        request.form.model = "lambertian"
+        answers = list(self.fit(request, timeout=60))
+        self.assertTrue(all(a.HasField("progress") for a in answers[:-1]))
+        certificate = answers[-1].result.certificate
+        self.assertNotEqual(certificate.verdict, fit_pb2.FIT_VERDICT_FAILED, certificate.reason)
+        below = sum(1 for flag in measured.flags if flag)
+        self.assertEqual(certificate.left_out.below_horizon, below)
+        self.assertEqual(certificate.pairs, 2000 - below)
+        for found, rd in zip(answers[-1].result.material.parameters["rd"], colour):
+            self.assertAlmostEqual(found, rd, delta=1e-5)
+
+    def test_cancels_a_fit(self):
+        request = fit_pb2.FitRequest()
+        request.pairs.wi.extend([0.6, 0, 0.8] * 50000)
+        request.pairs.wo.extend([-0.6, 0, 0.8] * 50000)
+        request.pairs.values.extend([1] * 50000)
+        request.pairs.channels = 1
+        request.form.specular.add().model = "ggx"
+        request.options.starts = 100
+        request.options.polish = True
+        call = self.fit(request, timeout=60)
+        next(call)
+        call.cancel()
+        with self.assertRaises(grpc.RpcError) as raised:
+            list(call)
+        self.assertEqual(raised.exception.code(), grpc.StatusCode.CANCELLED)
 
     def test_streams_chunks(self):
         colour = [0.5, 0.25]

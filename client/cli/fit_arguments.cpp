@@ -1,0 +1,189 @@
+#include "client/cli/fit_arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "client/cli/text.h"
+
+namespace gonio::cli {
+namespace {
+
+constexpr const char* kFooter = R"(
+Data, by the file's extension:
+  .binary         MERL's table of half and difference angles
+  .brdf           Cornell's text: wavelengths, then theta_i phi_i theta_s phi_s and a value for each
+  .dat, .alta     ALTA's text, with the parametrisation ISOTROPIC_TL_TV_PROJ_DPHI
+  else NPY        float32 or float64, N x (6 + channels): wi, wo and the values
+  or CSV          with the header wi_x,wi_y,wi_z,wo_x,wo_y,wo_z (or theta_i,phi_i,theta_o,phi_o) and
+                  f_0,f_1,... in 1/sr without a cosine, such as 'gonio evaluate --with-input' writes;
+                  a column `weight` says how many sr^2 of pairs of directions a row stands for
+Without weights, measurements of a goniometer (8 and more wo for each wi) are weighed by the directions
+that are nearest to each, others all the same. Entries that are not finite, not unit, below the
+horizon or negative are left out and counted.
+
+A specular model is fitted as a lobe over a lambertian base, with the exact Fresnel term of a
+dielectric if it takes one; NAME:none, NAME:schlick, NAME:dielectric and NAME:conductor choose. With
+several models the one with the least objective goes to -o.
+
+Verdicts: converged; bound-limited, where a bound of a parameter holds the optimum; ambiguous, where the
+data cannot tell the parameters apart; failed. Errors, over all data: l1 is sum |f - m| cos / sum
+m cos, rmse of f cos in 1/sr, log and cbrt the differences of log(1 + f cos) and of cube roots; each
+for all pairs, for both angles up to 80 degrees, and for the rest.
+
+Exit status 1 if every verdict is failed; then nothing is written with -o.
+
+Examples:
+  gonio fit --data nickel.binary --model cook_torrance --max-theta 80 -o nickel.json
+  gonio fit --data paint.brdf --model all --report report.json)";
+
+void add_what(CLI::App& command, FitArguments& arguments) {
+  command.add_option("--data", arguments.data, "The measurements (see below)")
+      ->type_name("FILE")
+      ->required();
+  command
+      .add_option("--model", arguments.models,
+                  "What to fit, NAME or NAME:FRESNEL (see below), several apart by commas; or all")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->required();
+  command
+      .add_option("--lobes", arguments.lobes, "Specular lobes of the model: 1 (the default) or 2")
+      ->type_name("N")
+      ->check(CLI::Range(1, 2).description(""));
+  command.add_flag("--anisotropic", arguments.anisotropic,
+                   "Roughness or exponents along u and v each by themselves");
+  command.add_flag("--deg", arguments.degrees, "Angles of a CSV are in degrees");
+}
+
+void add_how(CLI::App& command, FitArguments& arguments) {
+  command
+      .add_option("--objective", arguments.objective,
+                  "What is minimised: l1 (the default), l2, huber, log or cbrt")
+      ->type_name("O")
+      ->check(CLI::IsMember({"l1", "l2", "huber", "log", "cbrt"}).description(""));
+  command
+      .add_option("--strategy", arguments.strategy,
+                  "auto (the default), or staged: that of Nielsen et al. 2014, from one guess")
+      ->type_name("S")
+      ->check(CLI::IsMember({"auto", "staged"}).description(""));
+  command
+      .add_option("--max-theta", arguments.max_theta,
+                  "Fit pairs whose angles are both up to this, degrees; errors are of all data")
+      ->type_name("DEG")
+      ->check(CLI::Range(0.0, 90.0).description(""));
+  command
+      .add_option("--min-theta", arguments.min_theta, "Fit pairs one of whose angles is above this")
+      ->type_name("DEG")
+      ->check(CLI::Range(0.0, 90.0).description(""));
+  command
+      .add_option("--starts", arguments.starts, "Places to descend from, 1 to 100; 6 if not given")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100).description(""));
+  command.add_option("--seed", arguments.seed, "Of the choice of pairs, 1 or more; 1 if not given")
+      ->type_name("N")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U).description(""));
+  command.add_flag("--polish", arguments.polish, "End with a descent on all pairs");
+}
+
+// "NAME:FRESNEL" taken apart.
+struct Wanted {
+  std::string name, fresnel;
+};
+
+Wanted take_apart(const std::string& argument) {
+  const std::size_t colon = argument.find(':');
+  if (colon == std::string::npos) return {argument, {}};
+  return {argument.substr(0, colon), argument.substr(colon + 1)};
+}
+
+const client::ParameterInfo* fresnel_of(const client::ModelInfo& model) {
+  for (const auto& parameter : model.parameters) {
+    if (parameter.name == "fresnel") return &parameter;
+  }
+  return nullptr;
+}
+
+Result<FitForm> form_of(const client::ModelInfo& model, const std::string& wanted, int lobes) {
+  const client::ParameterInfo* fresnel = fresnel_of(model);
+  client::Lobe lobe{model.name, {}};
+  if (!wanted.empty() || fresnel != nullptr) {
+    const std::string word = wanted.empty() ? "dielectric" : wanted;
+    const bool known = fresnel != nullptr && std::find(fresnel->words.begin(), fresnel->words.end(),
+                                                       word) != fresnel->words.end();
+    if (!known) {
+      return bad_value("--model", "\"" + model.name + ":" + word + "\"",
+                       fresnel == nullptr ? model.name + ", which takes no Fresnel term"
+                                          : joined(fresnel->words, ", "));
+    }
+    lobe.parameters["fresnel"] = word;
+  }
+  const std::string name = wanted.empty() ? model.name : model.name + ":" + wanted;
+  if (model.role == client::Role::diffuse)
+    return FitForm{name, client::Material::model(model.name)};
+  return FitForm{name, client::Material::sum(client::Lobe{"lambertian", {}},
+                                             std::vector(static_cast<std::size_t>(lobes), lobe))};
+}
+
+bool can_be_fitted(const client::ModelInfo& model) {
+  return model.role == client::Role::diffuse || model.role == client::Role::specular;
+}
+
+}  // namespace
+
+void add_fit_options(CLI::App& command, FitArguments& arguments) {
+  command.footer(kFooter);
+  add_what(command, arguments);
+  add_how(command, arguments);
+  command
+      .add_option("-o,--output", arguments.output, "Where the material's JSON goes; - is stdout")
+      ->type_name("OUT");
+  command
+      .add_option("--report", arguments.report, "Where all that is known of the fits goes, as JSON")
+      ->type_name("OUT");
+  add_connection_options(command, arguments.connection);
+  command.add_flag("--quiet,-q", arguments.quiet, "No progress bar and no table");
+}
+
+client::FitOptions fit_options(const FitArguments& arguments) {
+  constexpr double kRadians = std::numbers::pi / 180;
+  client::FitOptions options;
+  options.objective = client::objective_of(arguments.objective).value();
+  if (arguments.strategy == "staged") options.strategy = client::FitStrategy::staged;
+  options.anisotropic = arguments.anisotropic;
+  options.min_theta = arguments.min_theta * kRadians;
+  options.max_theta = arguments.max_theta * kRadians;
+  options.starts = arguments.starts;
+  options.polish = arguments.polish;
+  options.seed = arguments.seed;
+  return options;
+}
+
+Result<std::vector<FitForm>> fit_forms(const FitArguments& arguments,
+                                       const client::Catalogue& catalogue) {
+  std::vector<FitForm> forms;
+  std::vector<std::string> names;
+  for (const auto& model : catalogue.models) {
+    if (can_be_fitted(model)) names.push_back(model.name);
+  }
+  std::vector<std::string> wanted;
+  for (const std::string& argument : arguments.models) {
+    if (argument == "all") wanted.insert(wanted.end(), names.begin(), names.end());
+    if (argument != "all") wanted.push_back(argument);
+  }
+  for (const std::string& argument : wanted) {
+    const auto [name, fresnel] = take_apart(argument);
+    const auto model =
+        std::find_if(catalogue.models.begin(), catalogue.models.end(),
+                     [&](const auto& m) { return m.name == name && can_be_fitted(m); });
+    if (model == catalogue.models.end())
+      return bad_value("--model", "\"" + name + "\"", "all, " + joined(names, ", "));
+    auto form = form_of(*model, fresnel, arguments.lobes);
+    if (!form) return form.error();
+    forms.push_back(std::move(*form));
+  }
+  return forms;
+}
+
+}  // namespace gonio::cli

@@ -1,0 +1,44 @@
+// The arguments of `gonio fit`. Thread safety: plain values.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "client/cli/connection.h"
+#include "client/fit.h"
+
+namespace gonio::cli {
+
+struct FitArguments {
+  ConnectionOptions connection;
+  std::string data;
+  std::vector<std::string> models;
+  std::string objective = "l1";
+  std::string strategy = "auto";
+  int lobes = 1;
+  double min_theta = 0, max_theta = 90;  // degrees
+  unsigned starts = 6;
+  std::uint64_t seed = 1;
+  bool degrees = false;
+  bool anisotropic = false;
+  bool polish = false;
+  bool quiet = false;
+  std::string output, report;  // empty: none
+};
+
+void add_fit_options(CLI::App& command, FitArguments& arguments);
+client::FitOptions fit_options(const FitArguments& arguments);
+
+// What is fitted, and what it is called in the results: "ggx:schlick".
+struct FitForm {
+  std::string name;
+  client::Material material;
+};
+
+// One for each of `--model`; "all" is every analytic model. Errors: a model that does not exist, or
+// lacks the Fresnel term that is asked for.
+Result<std::vector<FitForm>> fit_forms(const FitArguments& arguments,
+                                       const client::Catalogue& catalogue);
+
+}  // namespace gonio::cli

@@ -1,0 +1,127 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "client/cli/commands.h"
+#include "client/cli/exit_codes.h"
+#include "client/cli/fit_arguments.h"
+#include "client/cli/fit_table.h"
+#include "client/cli/json.h"
+#include "client/cli/measured_input.h"
+#include "client/cli/output_file.h"
+#include "client/cli/progress.h"
+
+namespace gonio::cli {
+namespace {
+
+// How much of a fit is done when a stage begins, from the time that stages take.
+double part_before(const std::string& stage) {
+  constexpr std::array<std::pair<std::string_view, double>, 4> kStages{
+      {{"scan", 0.1}, {"starts", 0.3}, {"fit", 0.5}, {"polish", 0.7}}};
+  for (const auto& [name, part] : kStages) {
+    if (name == stage) return part;
+  }
+  return 0;
+}
+
+Result<std::vector<NamedFit>> fit_all(const client::Client& client, const client::FitData& data,
+                                      const std::vector<FitForm>& forms,
+                                      const FitArguments& arguments) {
+  Progress progress(!arguments.quiet, "fits");
+  std::vector<NamedFit> fits;
+  for (const FitForm& form : forms) {
+    const auto done = static_cast<double>(fits.size()), count = static_cast<double>(forms.size());
+    client::FitWatch watch;
+    watch.progress = [&](const client::FitProgress& at) {
+      char best[32];
+      std::snprintf(best, sizeof(best), "%.4g", at.best);
+      progress.show((done + part_before(at.stage)) / count,
+                    form.name + ": " + at.stage + (at.best > 0 ? std::string(", ") + best : ""));
+    };
+    auto result = client.fit(data, form.material, fit_options(arguments), watch);
+    if (!result) return result.error();
+    fits.push_back({form.name, std::move(*result)});
+  }
+  return fits;
+}
+
+// The least objective at the end, of those that did not fail. Null if all did.
+const NamedFit* best_of(const std::vector<NamedFit>& fits) {
+  const NamedFit* best = nullptr;
+  for (const NamedFit& fit : fits) {
+    const client::FitCertificate& certificate = fit.result.certificate;
+    if (certificate.verdict == client::Verdict::failed || certificate.stages.empty()) continue;
+    if (best == nullptr ||
+        certificate.stages.back().objective < best->result.certificate.stages.back().objective) {
+      best = &fit;
+    }
+  }
+  return best;
+}
+
+std::string report_of(const std::vector<NamedFit>& fits, const FitArguments& arguments) {
+  std::string text = "{\"data\": " + json_string(arguments.data) + ",\n\"fits\": [";
+  const char* separator = "\n";
+  for (const NamedFit& fit : fits) {
+    text += separator + ("{\"model\": " + json_string(fit.name)) + ", \"verdict\": \"" +
+            std::string(name_of(fit.result.certificate.verdict)) +
+            "\", \"result\": " + fit.result.json + "}";
+    separator = ",\n";
+  }
+  return text + "]}\n";
+}
+
+// Opened before the fit: what cannot be written shows before the work.
+Result<std::optional<OutputFile>> open_output(const std::string& file) {
+  if (file.empty()) return std::optional<OutputFile>();
+  auto output = OutputFile::open(file);
+  if (!output) return output.error();
+  return std::optional<OutputFile>(std::move(*output));
+}
+
+Outcome write(std::optional<OutputFile>& output, const std::string& text) {
+  if (!output) return Ok{};
+  if (auto written = output->write(text); !written) return written;
+  return output->commit();
+}
+
+int run(const FitArguments& arguments) {
+  auto input =
+      read_measured(arguments.data, arguments.connection.server.empty(), arguments.degrees);
+  if (!input) return fail(input.error());
+  auto connection = Connection::open(arguments.connection);
+  if (!connection) return fail(connection.error());
+  const auto catalogue = connection->client.list_models();
+  if (!catalogue) return fail(catalogue.error());
+  const auto forms = fit_forms(arguments, *catalogue);
+  if (!forms) return fail(forms.error());
+  auto output = open_output(arguments.output), report = open_output(arguments.report);
+  if (!output) return fail(output.error());
+  if (!report) return fail(report.error());
+
+  const auto fits = fit_all(connection->client, input->data(), *forms, arguments);
+  if (!fits) return fail(fits.error());
+  const NamedFit* best = best_of(*fits);
+  Outcome written = write(*report, report_of(*fits, arguments));
+  if (written && best != nullptr) written = write(*output, best->result.material.to_json() + "\n");
+  if (!written) return fail(written.error());
+  // The table must not stand among what is read from standard output.
+  const bool taken = arguments.output == "-" || arguments.report == "-";
+  if (!arguments.quiet) std::fputs(fit_table(*fits).c_str(), taken ? stderr : stdout);
+  return best != nullptr ? exit_ok : exit_failed;
+}
+
+}  // namespace
+
+Command add_fit_command(CLI::App& app) {
+  auto arguments = std::make_shared<FitArguments>();
+  CLI::App* command = app.add_subcommand("fit", "Fit models to measured reflectance");
+  add_fit_options(*command, *arguments);
+  return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace gonio::cli

@@ -1,0 +1,39 @@
+// Measured reflectance from a file, as a fit takes it: MERL, Cornell, ALTA, CSV or NPY. Thread
+// safety: used by one thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "client/cli/byte_source.h"
+#include "client/fit.h"
+
+namespace gonio::cli {
+
+struct MeasuredInput {
+  int channels = 0;
+  std::vector<float> wi, wo, values, weights;  // as client::FitData has them
+  std::optional<client::Material> measured;    // in their place
+
+  [[nodiscard]] client::FitData data() const {
+    return {wi, wo, values, channels, weights, measured};
+  }
+};
+
+// By the file's extension: .binary is MERL, .brdf Cornell's text, .dat or .alta ALTA's; anything
+// else is CSV or NPY, told apart by its first bytes. Without weights of its own a goniometer's data
+// are weighed by the directions that they stand for (measured/solid_angle.h). `keep_tables`: a MERL
+// file stays a file for an embedded server to read; otherwise its cells become pairs. `degrees`: a
+// CSV's angles are.
+Result<MeasuredInput> read_measured(const std::string& file, bool keep_tables, bool degrees);
+
+// CSV: the header names wi_x,...,wo_z or theta_i,phi_i,theta_o,phi_o; f_0, f_1, ... (1 to 64); and,
+// if there is one, weight. Other columns are ignored; a pair that `flags` marks has no value.
+Result<MeasuredInput> read_measured_csv(ByteSource source, bool degrees);
+
+// NPY: a row is wi_x, wi_y, wi_z, wo_x, wo_y, wo_z and 1 to 64 values.
+Result<MeasuredInput> read_measured_npy(ByteSource source);
+
+}  // namespace gonio::cli

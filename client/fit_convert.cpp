@@ -1,0 +1,160 @@
+#include "client/fit_convert.h"
+
+#include <google/protobuf/util/json_util.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace gonio::client {
+namespace {
+
+namespace v1 = gonio::v1;
+
+Verdict verdict_of(v1::FitVerdict verdict) {
+  switch (verdict) {
+    case v1::FIT_VERDICT_CONVERGED:
+      return Verdict::converged;
+    case v1::FIT_VERDICT_BOUND_LIMITED:
+      return Verdict::bound_limited;
+    case v1::FIT_VERDICT_AMBIGUOUS:
+      return Verdict::ambiguous;
+    case v1::FIT_VERDICT_FAILED:
+      return Verdict::failed;
+    default:
+      return Verdict::unknown;
+  }
+}
+
+template <class To, class From>
+std::vector<To> list(const From& from) {
+  return {from.begin(), from.end()};
+}
+
+template <class From, class Convert>
+auto all(const From& from, const Convert& convert) {
+  std::vector<decltype(convert(from[0]))> to;
+  to.reserve(static_cast<std::size_t>(from.size()));
+  for (const auto& element : from) to.push_back(convert(element));
+  return to;
+}
+
+FitLeftOut left_out_of(const v1::FitLeftOut& from) {
+  return {from.not_finite(), from.not_unit(), from.below_horizon(), from.negative(),
+          from.no_weight()};
+}
+
+FitStage stage_of(const v1::FitStage& from) {
+  return {from.name(), from.objective(), from.pairs(), from.iterations(), from.cpu_seconds()};
+}
+
+FitStart start_of(const v1::FitStart& from) {
+  return {from.given(), list<double>(from.from()), list<double>(from.to()), from.objective(),
+          from.agrees()};
+}
+
+FitParameter parameter_of(const v1::FitParameter& from) {
+  return {from.field(),    from.channel(), from.value(), from.standard_error(),
+          from.at_bound(), from.lower(),   from.upper()};
+}
+
+FitIndistinct indistinct_of(const v1::FitIndistinct& from) {
+  return {list<std::string>(from.fields()), from.eigenvalue()};
+}
+
+FitProfile profile_of(const v1::FitProfile& from) {
+  return {from.field(), from.lower(), from.upper(), from.part(), from.separate()};
+}
+
+FitErrors errors_of(const v1::FitErrors& from) {
+  return {from.l1(), from.rmse(), from.log(), from.cbrt(), from.pairs()};
+}
+
+std::array<double, 3> direction_of(const google::protobuf::RepeatedField<double>& from) {
+  std::array<double, 3> to{};
+  std::copy_n(from.begin(), std::min(from.size(), 3), to.begin());
+  return to;
+}
+
+FitPlace place_of(const v1::FitPlace& from) {
+  return {direction_of(from.wi()), direction_of(from.wo()), from.channel(),
+          from.measured(),         from.fitted(),           from.share()};
+}
+
+FitRegion region_of(const v1::FitRegion& from) {
+  return {from.measured(), from.fitted(), from.error()};
+}
+
+FitAlbedo albedo_of(const v1::FitAlbedo& from) {
+  return {from.theta(), list<double>(from.channels())};
+}
+
+FitCertificate certificate_of(const v1::FitCertificate& from) {
+  FitCertificate to;
+  to.verdict = verdict_of(from.verdict());
+  to.reason = from.reason();
+  to.pairs = from.pairs();
+  to.left_out = left_out_of(from.left_out());
+  to.stages = all(from.stages(), stage_of);
+  to.shapes = list<std::string>(from.shapes());
+  to.starts = all(from.starts(), start_of);
+  to.agreeing = from.agreeing();
+  to.gradient_norm = from.gradient_norm();
+  to.parameters = all(from.parameters(), parameter_of);
+  to.active_bounds = list<std::string>(from.active_bounds());
+  to.indistinct = all(from.indistinct(), indistinct_of);
+  to.profiles = all(from.profiles(), profile_of);
+  to.errors = {errors_of(from.errors().all()), errors_of(from.errors().below_80()),
+               errors_of(from.errors().above_80())};
+  to.worst = all(from.worst(), place_of);
+  to.mirror = region_of(from.regions().mirror());
+  to.toward_light = region_of(from.regions().toward_light());
+  to.elsewhere = region_of(from.regions().elsewhere());
+  to.albedo = all(from.albedo(), albedo_of);
+  to.cpu_seconds = from.cpu_seconds();
+  return to;
+}
+
+Result<std::string> json_of(const google::protobuf::Message& message) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.add_whitespace = true;
+  options.always_print_primitive_fields = true;
+  options.preserve_proto_field_names = true;
+  std::string json;
+  const auto status = google::protobuf::util::MessageToJsonString(message, &json, options);
+  if (!status.ok()) return Error{ErrorCode::internal, status.ToString(), {}, {}, {}};
+  return json;
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::converged:
+      return "converged";
+    case Verdict::bound_limited:
+      return "bound-limited";
+    case Verdict::ambiguous:
+      return "ambiguous";
+    case Verdict::failed:
+      return "failed";
+    case Verdict::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+FitProgress progress_of(const gonio::v1::FitProgress& progress) {
+  return {progress.stage(), progress.iteration(), progress.objective(), progress.best()};
+}
+
+Result<FitResult> fit_result_of(const gonio::v1::FitResult& result) {
+  auto material = json_of(result.material());
+  auto json = json_of(result);
+  if (!material || !json) return material ? json.error() : material.error();
+  auto parsed = Material::from_json(*material);
+  if (!parsed) return parsed.error();
+  return FitResult{std::move(*parsed), certificate_of(result.certificate()), std::move(*json)};
+}
+
+}  // namespace gonio::client

@@ -1,0 +1,49 @@
+// Threads for work that takes seconds, apart from those that evaluate.
+//
+// A fit never runs where it could hold up an evaluation: neither on gRPC's threads nor on the
+// compute pool, and at the lowest priority that the system has for what still gets on. Thread
+// safety: any thread.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace gonio {
+
+class FitQueue {
+ public:
+  struct Job {
+    std::function<void()> run;      // called exactly once, if the job was taken
+    std::function<bool()> is_over;  // nobody waits for it any more: run() then costs nothing
+  };
+
+  // At most `max_jobs` wait or run at a time.
+  FitQueue(int threads, std::size_t max_jobs);
+  ~FitQueue();  // runs what is still queued
+  FitQueue(const FitQueue&) = delete;
+  FitQueue& operator=(const FitQueue&) = delete;
+
+  [[nodiscard]] std::size_t max_jobs() const { return max_jobs_; }
+  // False if the queue is full.
+  [[nodiscard]] bool submit(Job job);
+  // Runs the waiting jobs that are over: their places are free.
+  void drop_over();
+
+ private:
+  void work();
+
+  const std::size_t max_jobs_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Job> waiting_;
+  std::size_t running_ = 0;
+  bool stopping_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace gonio

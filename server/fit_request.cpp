@@ -1,0 +1,167 @@
+#include "server/fit_request.h"
+
+#include <grpcpp/impl/codegen/proto_utils.h>
+
+#include <utility>
+#include <vector>
+
+#include "engine/material_impl.h"
+#include "measured/table.h"
+#include "server/build_material.h"
+#include "wire/fields.h"
+#include "wire/material_size.h"
+
+namespace gonio {
+namespace {
+
+Result<fit::Objective> objective_of(v1::FitObjective objective) {
+  switch (objective) {
+    case v1::FIT_OBJECTIVE_UNSPECIFIED:
+    case v1::FIT_OBJECTIVE_L1:
+      return fit::Objective::l1;
+    case v1::FIT_OBJECTIVE_L2:
+      return fit::Objective::l2;
+    case v1::FIT_OBJECTIVE_HUBER:
+      return fit::Objective::huber;
+    case v1::FIT_OBJECTIVE_LOG:
+      return fit::Objective::log;
+    case v1::FIT_OBJECTIVE_CBRT:
+      return fit::Objective::cbrt;
+    default:
+      return bad_value("options.objective", std::to_string(static_cast<int>(objective)),
+                       "FIT_OBJECTIVE_L1 (1) to FIT_OBJECTIVE_CBRT (5)");
+  }
+}
+
+Result<fit::Strategy> strategy_of(v1::FitStrategy strategy) {
+  switch (strategy) {
+    case v1::FIT_STRATEGY_UNSPECIFIED:
+    case v1::FIT_STRATEGY_AUTOMATIC:
+      return fit::Strategy::automatic;
+    case v1::FIT_STRATEGY_STAGED:
+      return fit::Strategy::staged;
+    default:
+      return bad_value("options.strategy", std::to_string(static_cast<int>(strategy)),
+                       "FIT_STRATEGY_AUTOMATIC (1) or FIT_STRATEGY_STAGED (2)");
+  }
+}
+
+// 0 leaves the default.
+template <class T, class From>
+void set(T& option, From given) {
+  if (given != From{0}) option = static_cast<T>(given);
+}
+
+Result<fit::Options> options_of(const v1::FitOptions& from) {
+  const auto objective = objective_of(from.objective());
+  if (!objective) return objective.error();
+  const auto strategy = strategy_of(from.strategy());
+  if (!strategy) return strategy.error();
+  fit::Options options;
+  options.objective = *objective;
+  options.strategy = *strategy;
+  options.anisotropic = from.anisotropic();
+  options.cosine = !from.without_cosine();
+  set(options.huber, from.huber());
+  options.min_theta = from.min_theta();
+  set(options.max_theta, from.max_theta());
+  set(options.starts, from.starts());
+  set(options.fit_pairs, from.fit_pairs());
+  set(options.scan_pairs, from.scan_pairs());
+  options.polish = from.polish();
+  set(options.seed, from.seed());
+  return options;
+}
+
+Error not_measured(const std::string& found) {
+  return bad_value("measured", found,
+                   R"(a measured material that the server holds, such as {"name": "nickel"})");
+}
+
+Result<std::shared_ptr<const MeasuredTable>> table_of(const v1::Material& measured,
+                                                      const Materials& materials) {
+  auto material = materials.resolve(measured.SerializeAsString());
+  if (!material) {
+    Error error = material.error();
+    if (error.field.rfind("material.", 0) != 0) return error;
+    error.field.replace(0, 8, "measured");
+    if (error.message.rfind("material.", 0) == 0) error.message.replace(0, 8, "measured");
+    return error;
+  }
+  auto table = material->material().impl().table;
+  if (!table) return not_measured("an analytic material");
+  return table;
+}
+
+// About what one pair costs: the request, its copy in float64 and Data; with a polish also the
+// transformed values and a descent's residuals.
+std::size_t bytes_of(std::size_t pairs, std::size_t channels, bool polish) {
+  constexpr std::size_t kDirections = 6 * (4 + 8 + 4) + 16;
+  constexpr std::size_t kSubsets = std::size_t{32} << 20;
+  return kSubsets + pairs * (kDirections + channels * (polish ? 64 : 16));
+}
+
+template <class From>
+std::vector<double> wide(const From& numbers) {
+  return {numbers.begin(), numbers.end()};
+}
+
+Error within_pairs(Error error) {
+  error.field = "pairs." + error.field;
+  error.message = "pairs." + error.message;
+  return error;
+}
+
+}  // namespace
+
+Result<v1::FitRequest> decode_fit_request(const grpc::ByteBuffer& buffer) {
+  const auto bytes = wire::SliceBytes::of(buffer);
+  wire::FieldReader fields(bytes, {0, bytes.size()});
+  std::size_t materials = 0;
+  for (wire::Field field; fields.next(field);) {
+    const bool material = field.is(v1::FitRequest::kMeasuredFieldNumber, wire::WireType::bytes) ||
+                          field.is(v1::FitRequest::kFormFieldNumber, wire::WireType::bytes);
+    if (material) materials += field.value.size();
+  }
+  if (auto small = wire::check_material_size(materials); !small) return small.error();
+  grpc::ByteBuffer copy(buffer);  // of references
+  v1::FitRequest request;
+  if (!fields.ok() || !grpc::SerializationTraits<v1::FitRequest>::Deserialize(&copy, &request).ok())
+    return bad_value("request", "not a " + request.GetTypeName(), "the bytes of one");
+  return request;
+}
+
+Result<FitTask> fit_task(const v1::FitRequest& request, const Materials& materials) {
+  auto form = material_spec(request.form(), "form.");
+  if (!form) return form.error();
+  auto options = options_of(request.options());
+  if (!options) return options.error();
+  FitTask task{std::move(*form), *options, nullptr, 0};
+  if (request.has_measured()) {
+    auto table = table_of(request.measured(), materials);
+    if (!table) return table.error();
+    task.table = std::move(*table);
+    task.bytes = bytes_of(MeasuredTable::kCells, MeasuredTable::kChannels, options->polish);
+    return task;
+  }
+  if (!request.has_pairs()) return bad_value("data", "not given", "pairs or measured");
+  const auto channels = static_cast<std::size_t>(request.pairs().channels());
+  if (channels < 1 || channels > static_cast<std::size_t>(kMaxChannels)) {
+    return bad_value("pairs.channels", std::to_string(channels),
+                     "1 to " + std::to_string(kMaxChannels));
+  }
+  task.bytes =
+      bytes_of(static_cast<std::size_t>(request.pairs().wi_size()) / 3, channels, options->polish);
+  return task;
+}
+
+Result<fit::Data> fit_data(const v1::FitRequest& request, const FitTask& task) {
+  if (task.table) return fit::from_table(*task.table);
+  const v1::MeasuredPairs& pairs = request.pairs();
+  auto data = fit::from_pairs(wide(pairs.wi()), wide(pairs.wo()), wide(pairs.values()),
+                              static_cast<int>(pairs.channels()), wide(pairs.weights()));
+  if (!data) return within_pairs(data.error());
+  return data;
+}
+
+}  // namespace gonio

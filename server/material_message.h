@@ -1,0 +1,12 @@
+// A material as people write it, from the core's: the inverse of material_spec(). Thread safety: a
+// function without state.
+#pragma once
+
+#include "engine/material.h"
+#include "gonio/v1/material.pb.h"
+
+namespace gonio {
+
+v1::Material to_wire(const MaterialSpec& spec);
+
+}  // namespace gonio

@@ -1,0 +1,41 @@
+// Measured reflectance as gonioreflectometers give it: scattered pairs of directions in text files.
+//
+// Directions in the local frame of engine/evaluate.h, unit; values in 1/sr, without a cosine. What
+// a file holds is not judged here: values below 0 and directions below the horizon are passed on.
+// Errors name file, line, what was found and what was expected. Thread safety: functions without
+// state.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace gonio {
+
+struct MeasuredPairs {
+  int channels = 0;
+  std::vector<double> wi, wo;  // xyz of each pair
+  std::vector<double> values;  // all channels of the first pair, then of the second
+
+  [[nodiscard]] std::size_t size() const { return wi.size() / 3; }
+};
+
+// Cornell's text (as published with pbrt-v2): comments from '#' to the end of the line; the number
+// of wavelengths, 1 to 64; the wavelengths in nm; then rows of theta_i phi_i theta_s phi_s in
+// radians and a value for each wavelength.
+Result<MeasuredPairs> read_cornell(const std::filesystem::path& file);
+
+// ALTA's text with `#PARAM_IN ISOTROPIC_TL_TV_PROJ_DPHI` and `#DIM 3 N`: rows of theta_i,
+// theta_o cos(dphi), theta_o sin(dphi) in radians and N values. With `#PARAM_OUT
+// INV_STERADIAN_COSINE_FACTOR` the values hold the cosine of theta_o and are divided by it; entries
+// at the horizon then come back with wo.z = 0. ALTA's conventions: core/params.h there.
+Result<MeasuredPairs> read_alta(const std::filesystem::path& file);
+
+// The same from the text itself; `name` is what errors call it.
+Result<MeasuredPairs> parse_cornell(std::string_view text, const std::string& name);
+Result<MeasuredPairs> parse_alta(std::string_view text, const std::string& name);
+
+}  // namespace gonio

@@ -1,0 +1,126 @@
+// Fits over the wire: cancelling, deadlines, the queue, evaluation beside them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "client/fit_fixture.h"
+
+namespace gonio::test {
+namespace {
+
+using ::testing::HasSubstr;
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+using FitLimits = FitFixture;
+
+TEST_F(FitLimits, EndsSoonWhenItIsCancelled) {
+  start_with([](ServerOptions& options) { options.fit_threads = 1; });
+  const Measured measured(200'000);
+  client::FitOptions options;
+  options.polish = true;
+  for (const char* at : {"data", "scan", "starts", "fit", "polish"}) {
+    bool stop = false;
+    client::FitWatch watch;
+    watch.progress = [&](const client::FitProgress& progress) {
+      stop = stop || progress.stage == at;
+    };
+    Clock::time_point said;
+    watch.stop = [&] {
+      if (stop && said == Clock::time_point()) said = Clock::now();
+      return stop;
+    };
+    const auto result = connect("unix").fit(measured.data(), form(), options, watch);
+    if (!stop) continue;  // a stage of less than a moment
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().code, ErrorCode::cancelled) << result.error().message;
+    EXPECT_LT(Clock::now() - said, milliseconds(200)) << at;
+    // The only thread is free again: the next fit of nearly nothing is done at once.
+    const Measured little(50);
+    const auto start = Clock::now();
+    client::FitOptions quick;
+    quick.deadline = milliseconds(5000);
+    EXPECT_TRUE(
+        connect("unix").fit(little.data(), client::Material::model("lambertian"), quick).ok());
+    EXPECT_LT(Clock::now() - start, milliseconds(1000)) << at;
+  }
+}
+
+TEST_F(FitLimits, KeepsItsDeadlines) {
+  const Measured measured(200'000);
+  client::FitOptions options;
+  options.polish = true;
+  options.deadline = milliseconds(150);
+  auto start = Clock::now();
+  auto result = connect("tcp").fit(measured.data(), form(), options);
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, ErrorCode::deadline_exceeded) << result.error().message;
+  EXPECT_LT(Clock::now() - start, milliseconds(800));
+
+  start_with([](ServerOptions& server) { server.longest_fit = milliseconds(150); });
+  options.deadline.reset();
+  start = Clock::now();
+  result = connect("tcp").fit(measured.data(), form(), options);
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, ErrorCode::deadline_exceeded) << result.error().message;
+  EXPECT_LT(Clock::now() - start, milliseconds(2000));
+}
+
+TEST_F(FitLimits, IsRefusedWhereTooManyWait) {
+  start_with([](ServerOptions& options) {
+    options.fit_threads = 1;
+    options.max_fits = 2;
+  });
+  const Measured measured(100'000);
+  std::atomic<int> heard{0};
+  std::atomic<bool> stop{false};
+  const auto wait_for_end = [&] {
+    client::FitOptions slow;
+    slow.polish = true;
+    slow.starts = 100;
+    client::FitWatch watch;
+    bool said = false;
+    watch.progress = [&](const auto&) { heard += std::exchange(said, true) ? 0 : 1; };
+    watch.stop = [&] { return stop.load(); };
+    return connect("tcp").fit(measured.data(), form(), slow, watch);
+  };
+  std::thread first(wait_for_end), second(wait_for_end);
+  while (heard < 2) std::this_thread::sleep_for(milliseconds(5));
+  client::ClientOptions impatient;
+  impatient.max_retries = 0;
+  const auto refused = connect("tcp", impatient).fit(measured.data(), form());
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::resource_exhausted);
+  EXPECT_THAT(refused.error().message, HasSubstr("queue of fits is full"));
+  stop = true;
+  first.join();
+  second.join();
+  const Measured little(50);
+  EXPECT_TRUE(connect("tcp").fit(little.data(), client::Material::model("lambertian")).ok());
+}
+
+TEST_F(FitLimits, LeavesEvaluationAlone) {
+  const Measured measured(20'000);
+  std::atomic<int> done{0};
+  const auto fit_one = [&] {
+    const auto result = connect("unix").fit(measured.data(), form());
+    EXPECT_TRUE(result.ok()) << result.error().message;
+    ++done;
+  };
+  std::thread first(fit_one), second(fit_one);
+  const auto client = connect("unix");
+  std::vector<float> values(3 * 20'000);
+  int evaluations = 0;
+  while (done < 2) {
+    ASSERT_TRUE(client.evaluate(ggx(), measured.wi, measured.wo, values).ok());
+    ++evaluations;
+  }
+  first.join();
+  second.join();
+  EXPECT_GT(evaluations, 0);
+}
+
+}  // namespace
+}  // namespace gonio::test
