@@ -21,6 +21,18 @@ namespace gonio {
 // Lengths within this of 1 are corrected; beyond, a direction is refused.
 inline constexpr double kLengthTolerance = 1e-3;
 
+// |k|^2 - 1 without losing the small difference.
+template <class T>
+GONIO_INLINE T length_error(const Vec3<T>& k) {
+  return (k.z * k.z - T(1)) + k.x * k.x + k.y * k.y;
+}
+// Whether e = |k|^2 - 1 lies between (1 - tol)^2 - 1 and (1 + tol)^2 - 1; false for NaN.
+template <class T>
+GONIO_INLINE auto near_unit(const T& e) {
+  const T from_centre = e - T(kLengthTolerance * kLengthTolerance);
+  return from_centre * from_centre < T(4 * kLengthTolerance * kLengthTolerance);
+}
+
 // H = wi + wo, and what follows from it alone.
 template <class N>
 struct HalfVector {
@@ -93,18 +105,6 @@ class Geometry {
  private:
   Vec3<Wide> given_i_, given_o_;
   Wide inverse_lengths_;  // the product of both
-
-  // |k|^2 - 1 without losing the small difference.
-  template <class T>
-  static GONIO_INLINE T length_error(const Vec3<T>& k) {
-    return (k.z * k.z - T(1)) + k.x * k.x + k.y * k.y;
-  }
-
-  // Whether e = |k|^2 - 1 lies between (1 - tol)^2 - 1 and (1 + tol)^2 - 1; false for NaN.
-  static GONIO_INLINE typename N::Mask near_unit(Real e) {
-    const Real from_centre = e - Real(kLengthTolerance * kLengthTolerance);
-    return from_centre * from_centre < Real(4 * kLengthTolerance * kLengthTolerance);
-  }
 };
 
 }  // namespace gonio
