@@ -142,7 +142,8 @@ struct Ggx {
                                               const Vec3<typename N::Real>& w) {
     using Real = typename N::Real;
     using std::sqrt;
-    return sqrt(sum_of_products(Real(k.ax2), w.x * w.x, Real(k.ay2), w.y * w.y) + w.z * w.z);
+    const Real tangential = sum_of_products(Real(k.ax2), w.x * w.x, Real(k.ay2), w.y * w.y);
+    return sqrt(multiply_add(w.z, w.z, tangential));
   }
 };
 

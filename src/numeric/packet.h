@@ -52,6 +52,11 @@ struct Float {
   friend GONIO_INLINE Float sum_of_products(Float a, Float b, Float c, Float d) {
     return Float(raw::multiply_add(a.v, b.v, c.v * d.v));
   }
+  // a b + c, rounded once wherever the machine can. Left to the compiler, that depends on what else
+  // a b is used for.
+  friend GONIO_INLINE Float multiply_add(Float a, Float b, Float c) {
+    return Float(raw::multiply_add(a.v, b.v, c.v));
+  }
   friend GONIO_INLINE Float absolute(Float a) { return Float(raw::absolute(a.v)); }
   friend GONIO_INLINE Float sqrt(Float a) { return Float(raw::sqrt(a.v)); }
   friend GONIO_INLINE Float round(Float a) { return Float(raw::round(a.v)); }
@@ -108,7 +113,10 @@ struct Double {
   friend GONIO_INLINE Double max(Double a, Double b) {
     return {raw::max(a.lo, b.lo), raw::max(a.hi, b.hi)};
   }
-  // a b + c d, as for Float.
+  // a b + c and a b + c d, as for Float.
+  friend GONIO_INLINE Double multiply_add(Double a, Double b, Double c) {
+    return {raw::multiply_add(a.lo, b.lo, c.lo), raw::multiply_add(a.hi, b.hi, c.hi)};
+  }
   friend GONIO_INLINE Double sum_of_products(Double a, Double b, Double c, Double d) {
     return {raw::multiply_add(a.lo, b.lo, c.lo * d.lo), raw::multiply_add(a.hi, b.hi, c.hi * d.hi)};
   }

@@ -47,6 +47,9 @@ struct TwoFloats {
   friend GONIO_INLINE TwoFloats max(TwoFloats x, TwoFloats y) {
     return {max(x.a, y.a), max(x.b, y.b)};
   }
+  friend GONIO_INLINE TwoFloats multiply_add(TwoFloats x, TwoFloats y, TwoFloats z) {
+    return {multiply_add(x.a, y.a, z.a), multiply_add(x.b, y.b, z.b)};
+  }
   friend GONIO_INLINE TwoFloats sum_of_products(TwoFloats x, TwoFloats y, TwoFloats z,
                                                 TwoFloats w) {
     return {sum_of_products(x.a, y.a, z.a, w.a), sum_of_products(x.b, y.b, z.b, w.b)};

@@ -86,7 +86,8 @@ class Geometry {
     }
     given_i_ = wide_i;
     given_o_ = wide_o;
-    inverse_lengths_ = inverse_i * inverse_o;
+    inverse_i_ = inverse_i;
+    inverse_o_ = inverse_o;
     const Real error_i = length_error(given_i), error_o = length_error(given_o);
     real_wi = N::inverse_length(error_i) * given_i;
     real_wo = N::inverse_length(error_o) * given_o;
@@ -99,12 +100,16 @@ class Geometry {
   // The cosine between wo and the mirror image of wi, to its last digits where it is nearly 0, too.
   GONIO_INLINE Wide mirror_cosine() const {
     const Vec3<Wide> mirrored{-given_i_.x, -given_i_.y, given_i_.z};
-    return inverse_lengths_ * N::exact_dot(mirrored, given_o_);
+    return inverse_i_ * inverse_o_ * N::exact_dot(mirrored, given_o_);
+  }
+  // n.wi - n.wo.
+  GONIO_INLINE Wide cosine_difference() const {
+    return sum_of_products(inverse_i_, given_i_.z, -inverse_o_, given_o_.z);
   }
 
  private:
   Vec3<Wide> given_i_, given_o_;
-  Wide inverse_lengths_;  // the product of both
+  Wide inverse_i_, inverse_o_;  // of the lengths as given
 };
 
 }  // namespace gonio
