@@ -65,7 +65,7 @@ GONIO_INLINE Exp2<Double<Exactness::exact>> exp2_of(Double<Exactness::exact> x) 
   return {power + power * change, (D(1) - power) - power * change};
 }
 
-// Cosine and sine of an angle, to 3e-7 and 2e-15, absolutely.
+// Cosine and sine of an angle, to 1e-6 and 2e-15, absolutely.
 template <class T>
 struct Turn {
   T cos, sin;
