@@ -75,11 +75,11 @@ void repeat_wi(const SampleBatch<T>& batch, std::size_t begin, std::size_t n, st
   for (auto& component : to) std::fill(component + n, component + padded, component[n - 1]);
 }
 
-// The rare run with a bad wi or number, which leave no direction and are all that the flag of their
-// sample tells of. Counts the flags anew.
+// A run with a bad wi or number, which leave no direction and are all that the flag of their sample
+// tells of, or of a measured table. Counts the flags anew.
 template <class T>
-SampleReport settle_bad(std::size_t n, const Numbers<T>& numbers, Run<T, T>& run,
-                        Scratch<T, T>& scratch) {
+SampleReport settle(std::size_t n, const Numbers<T>& numbers, Run<T, T>& run,
+                    Scratch<T, T>& scratch) {
   SampleReport report;
   for (std::size_t i = 0; i < n; ++i) {
     const auto bad =
@@ -92,7 +92,7 @@ SampleReport settle_bad(std::size_t n, const Numbers<T>& numbers, Run<T, T>& run
       run.clear(i);
     }
     report.any_flags |= scratch.flags[i];
-    report.lost += scratch.flags[i] == flag::outgoing_below_horizon ? 1 : 0;
+    report.lost += bad == 0 && scratch.flags[i] != 0 ? 1 : 0;
   }
   return report;
 }
@@ -123,7 +123,8 @@ SampleReport sample_all(const Sampler& sampler, const SampleBatch<T>& batch, Isa
         {{wi[0], wi[1], wi[2]}, {scratch.wo[0], scratch.wo[1], scratch.wo[2]}, padded}, n);
     SampleReport here{finished.lost > 0 ? flag::outgoing_below_horizon : std::uint8_t{0},
                       finished.lost};
-    if (finished.bad_wi || numbers.any_bad()) here = settle_bad(n, numbers, run, scratch);
+    if (finished.bad_wi || numbers.any_bad() || sampler.impl().measured != nullptr)
+      here = settle(n, numbers, run, scratch);
     report.any_flags |= here.any_flags;
     report.lost += here.lost;
     copy_values(scratch.wo[0], kRun, 3, n, table, Values<T>::interleaved(batch.wo, 3), begin);

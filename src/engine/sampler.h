@@ -12,7 +12,8 @@
 //
 // A direction at or below the horizon is a lost sample: it has pdf 0, weight 0 and the flag
 // outgoing_below_horizon, and counts as a sample with the value 0. Only lobes of ggx lose any; a
-// mean over all samples, lost ones included, is right.
+// mean over all samples, lost ones included, is right. So is a sample of a measured material where
+// the table knows nothing; its flag is outside_data.
 //
 // Thread safety: a Sampler is immutable and cheap to copy.
 #pragma once

@@ -70,10 +70,23 @@ class Run {
   }
 
   // The same for pairs that have been drawn, the first `n` of which are samples: values become
-  // weights, and lost samples get their flag.
+  // weights, and lost samples get their flag. Where a measured table knows nothing they are lost,
+  // too, and not counted yet.
   Finished weigh(const KernelInput<In>& in, std::size_t n) {
-    lobes(in, nullptr);
-    return finish(in, n, scratch_.flags);
+    if (sampler_.measured == nullptr) {
+      lobes(in, nullptr);
+      return finish(in, n, scratch_.flags);
+    }
+    alignas(kAlignment) std::uint8_t told[kRun];
+    std::fill_n(told, padded_, std::uint8_t{0});
+    lobes(in, told);
+    const Finished finished = finish(in, n, scratch_.flags);
+    for_flagged(told, n, [&](std::size_t i) {
+      if (told[i] != flag::outside_data) return;
+      scratch_.flags[i] = flag::outside_data;
+      clear(i);
+    });
+    return finished;
   }
 
   // The shares of the strategies, if there are several; `xi` and `chosen` may be null.
