@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kChecked = 16;  // a whole packet of the widest
 
 // Of float32 densities, in whose tails the roundings of an exponent count.
-constexpr double kPdfError = 4e-6;
+constexpr double kPdfError = 5e-6;
 
 template <class T>
 struct Checked {
