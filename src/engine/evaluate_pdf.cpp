@@ -21,7 +21,7 @@ std::uint8_t evaluate_all(const Sampler& sampler, const Batch<In, Out>& batch, O
   Scratch<In, Out> scratch;
   std::uint8_t any = 0;
   for (std::size_t begin = 0, n = 0; begin < batch.count; begin += n) {
-    n = std::min(run_length(sampler), batch.count - begin);
+    n = std::min(run_length(sampler, batch.count), batch.count - begin);
     const std::size_t padded = padded_to(table, n);
     Run<In, Out> run(sampler, isa, padded, scratch);
     KernelInput<In> in{{}, {}, padded};

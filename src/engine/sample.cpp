@@ -106,7 +106,7 @@ SampleReport sample_all(const Sampler& sampler, const SampleBatch<T>& batch, Isa
   Numbers<T> numbers;
   SampleReport report;
   for (std::size_t begin = 0, n = 0; begin < batch.count; begin += n) {
-    n = std::min(run_length(sampler), batch.count - begin);
+    n = std::min(run_length(sampler, batch.count), batch.count - begin);
     const std::size_t padded = padded_to(table, n);
     Run<T, T> run(sampler, isa, padded, scratch);
     repeat_wi(batch, begin, n, padded, table, scratch.wi);

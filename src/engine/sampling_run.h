@@ -15,7 +15,9 @@ inline constexpr std::size_t kAlignment = 64;
 inline constexpr std::size_t kMaxStrategies = MixtureTable::kMaxLobes + 1;
 inline constexpr std::size_t kScratchValues =
     8192;  // pairs x channels; at least kGrain of the most
-inline constexpr std::size_t kSamplingRun = 128;
+// Samples in a run, at most. The memory of the next run comes while one is computed: the sooner
+// that is over, the less is waited for, where a batch is more than the second-level cache holds.
+inline constexpr std::size_t kCachedRun = 128, kUncachedRun = 64, kCachedBatch = 16'384;
 inline constexpr std::size_t kGrain = 16;  // pairs of the widest packet
 
 template <class In, class Out>
@@ -164,9 +166,11 @@ class Run {
   Scratch<In, Out>& scratch_;
 };
 
-inline std::size_t run_length(const Sampler& sampler) {
+// For a batch of `count`.
+inline std::size_t run_length(const Sampler& sampler, std::size_t count) {
   const auto channels = static_cast<std::size_t>(sampler.material().channels());
-  return std::min(kSamplingRun, kScratchValues / channels / kGrain * kGrain);
+  const std::size_t run = count > kCachedBatch ? kUncachedRun : kCachedRun;
+  return std::min(run, kScratchValues / channels / kGrain * kGrain);
 }
 
 }  // namespace gonio::sampling
