@@ -5,13 +5,14 @@
 #include <chrono>
 #include <thread>
 
+#include "effort.h"
 #include "fit/synthetic.h"
 
 namespace gonio::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using Clock = std::chrono::steady_clock;
+using Clock = WorkClock;
 using Numbers = std::vector<double>;
 
 const MaterialSpec kTruth{
