@@ -1,4 +1,5 @@
-// What tests of waiting and of work go by, on machines that do other things too and under sanitizers.
+// What tests of waiting and of work go by, on machines that do other things too and under
+// sanitizers.
 #pragma once
 
 #include <chrono>
@@ -12,8 +13,8 @@ inline constexpr int kSlower = 20;  // than an optimised build, about
 inline constexpr int kSlower = 1;
 #endif
 
-// The time that this process's threads have worked, together: what one more job of its own costs shows in it, what
-// other processes take does not.
+// The time that this process's threads have worked, together: what one more job of its own costs
+// shows in it, what other processes take does not.
 struct WorkClock {
   using duration = std::chrono::nanoseconds;
   using rep = duration::rep;

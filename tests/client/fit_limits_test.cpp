@@ -16,8 +16,8 @@ using ::testing::HasSubstr;
 using Clock = std::chrono::steady_clock;
 using gonio::testing::kSlower;
 using gonio::testing::WorkClock;
-using std::chrono::seconds;
 using std::chrono::milliseconds;
+using std::chrono::seconds;
 using FitLimits = FitFixture;
 
 TEST_F(FitLimits, EndsSoonWhenItIsCancelled) {
