@@ -141,7 +141,7 @@ class Client {
                           const EvaluateOptions& options = {}) const;
 
   // The same, and the density per steradian with which sample() draws wo for wi: one a pair, 0 for
-  // a flagged one. The values may differ from evaluate()'s in their last bit.
+  // a flagged one. The values are evaluate()'s, bit for bit.
   Result<Report> evaluate_with_pdf(const Material& material, std::span<const float> wi,
                                    std::span<const float> wo, std::span<float> values,
                                    std::span<float> pdf, std::span<std::uint8_t> flags = {},

@@ -7,6 +7,7 @@
 namespace gonio {
 namespace {
 
+using sampling::for_flagged;
 using sampling::padded_to;
 using sampling::Run;
 using sampling::run_length;
@@ -27,8 +28,11 @@ std::uint8_t evaluate_all(const Sampler& sampler, const Batch<In, Out>& batch, O
     lay_out(advanced(batch.wi, begin), n, padded, table, scratch.wi, in.wi);
     lay_out(advanced(batch.wo, begin), n, padded, table, scratch.wo, in.wo);
     run.share(in.wi, nullptr, nullptr);
-    run.evaluate(in, false);
-    any = static_cast<std::uint8_t>(any | run.clear_flagged(n));
+    run.evaluate(in);
+    for_flagged(scratch.flags, n, [&](std::size_t i) {
+      any = static_cast<std::uint8_t>(any | scratch.flags[i]);
+      run.clear(i);
+    });
     copy_values(scratch.values, padded, sampler.material().channels(), n, table, batch.values,
                 begin);
     std::copy_n(scratch.pdf, n, pdf + begin);

@@ -11,6 +11,8 @@
 
 namespace gonio {
 
+inline constexpr std::size_t kRun = 512;  // pairs that a kernel is given at a time
+
 // A run of pairs as the kernels take it: separate, contiguous components; the count a multiple of
 // the packet's width.
 template <class In>

@@ -57,6 +57,7 @@ void split(const T* __restrict xyz, std::size_t n, T* __restrict x, T* __restric
   if constexpr (std::is_same_v<T, float>) {
     for (; i + raw::kWidth <= n; i += raw::kWidth) {
       raw::F px, py, pz;
+      fetch_ahead(xyz + 3 * i);
       raw::split3(xyz + 3 * i, px, py, pz);
       raw::store(x + i, px), raw::store(y + i, py), raw::store(z + i, pz);
     }
@@ -73,8 +74,10 @@ void join_three(const T* __restrict x, const T* __restrict y, const T* __restric
                 T* __restrict xyz) {
   std::size_t i = 0;
   if constexpr (std::is_same_v<T, float>) {
-    for (; i + raw::kWidth <= n; i += raw::kWidth)
+    for (; i + raw::kWidth <= n; i += raw::kWidth) {
+      fetch_ahead(xyz + 3 * i);
       raw::join3(raw::load(x + i), raw::load(y + i), raw::load(z + i), xyz + 3 * i);
+    }
   }
   for (; i < n; ++i) {
     xyz[3 * i] = x[i];

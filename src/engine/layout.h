@@ -9,8 +9,6 @@
 
 namespace gonio {
 
-constexpr std::size_t kRun = 512;  // pairs that a kernel is given at a time
-
 inline const Layouts<float>& layouts(const KernelTable& table, float) { return table.layout32; }
 inline const Layouts<double>& layouts(const KernelTable& table, double) { return table.layout64; }
 

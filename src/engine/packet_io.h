@@ -18,6 +18,14 @@ GONIO_INLINE Vec3<T> load(const In* const (&component)[3], std::size_t i) {
 // processor foresees. The distances, in numbers, are what ran fastest.
 constexpr std::size_t kAheadOfReading = 256, kAheadOfWriting = 512;
 
+// The triples of a packet in the next run: one run is computed with before the next is read, and
+// the processor has forgotten where it was.
+constexpr std::size_t kAheadInTriples = 256;
+GONIO_INLINE void fetch_ahead(const float* xyz) {
+  for (std::size_t c = 0; c < 3; ++c)
+    __builtin_prefetch(xyz + 3 * kAheadInTriples + c * raw::kWidth);
+}
+
 template <class N, class In>
 GONIO_INLINE Geometry<N> load_geometry(const KernelInput<In>& in, std::size_t i) {
   for (int c = 0; c < 3; ++c) {

@@ -1,5 +1,4 @@
 // Drawing batches of samples.
-#include <bit>
 #include <cassert>
 
 #include "engine/direction_flags.h"
@@ -9,53 +8,43 @@
 namespace gonio {
 namespace {
 
-using sampling::for_flagged;
 using sampling::kAlignment;
 using sampling::padded_to;
 using sampling::Run;
 using sampling::run_length;
 using sampling::Scratch;
 
-// The numbers of samples, by which bad ones are found.
+// The numbers of samples, and which of them are bad.
 template <class T>
 struct Numbers {
   alignas(kAlignment) T xi[3][kRun];
   alignas(kAlignment) T chosen[kRun];
 
   void load(const SampleBatch<T>& batch, std::size_t begin, std::size_t n, std::size_t padded,
-            const KernelTable& table) {
+            const SamplingTable& table) {
     T* const to[3] = {xi[0], xi[1], xi[2]};
+    any_bad_ = false;
     if (batch.xi == nullptr) {
       random_numbers(batch.numbers, batch.first + begin, batch.per_wi, n, to);
-    } else {
-      layouts(table, T()).split(batch.xi + 3 * begin, n, xi[0], xi[1], xi[2]);
+    } else if (!split_of(table, T())(batch.xi + 3 * begin, n, to)) {
+      set_bad_aside(n);
     }
     for (T* x : to) std::fill(x + n, x + padded, T(0));
   }
-
-  // Notes which of the numbers as given are not in [0, 1).
-  void note_bad(std::size_t n) {
-    // The bits of numbers in [0, 1), read as a whole number, are those below the bits of 1.
-    using Bits = std::conditional_t<std::is_same_v<T, float>, std::uint32_t, std::uint64_t>;
-    Bits suspect = 0;
-    for (const auto& x : xi) {
-      for (std::size_t i = 0; i < n; ++i)
-        suspect |= static_cast<Bits>(std::bit_cast<Bits>(x[i]) >= std::bit_cast<Bits>(T(1)));
-    }
-    any_bad_ = suspect != 0;
-    if (!any_bad_) return;
-    for (std::size_t i = 0; i < n; ++i)
-      bad_[i] =
-          is_number(xi[0][i]) && is_number(xi[1][i]) && is_number(xi[2][i]) ? 0 : flag::bad_number;
-  }
-  void add_flags(std::size_t n, std::uint8_t* flags) const {
-    if (!any_bad_) return;
-    for (std::size_t i = 0; i < n; ++i) flags[i] |= bad_[i];
-  }
+  [[nodiscard]] bool any_bad() const { return any_bad_; }
   [[nodiscard]] std::uint8_t flags_of(std::size_t i) const { return any_bad_ ? bad_[i] : 0; }
 
  private:
   static bool is_number(T x) { return x >= 0 && x < 1; }
+  // Draws get numbers that they can work with.
+  void set_bad_aside(std::size_t n) {
+    any_bad_ = true;
+    for (std::size_t i = 0; i < n; ++i) {
+      const bool good = is_number(xi[0][i]) && is_number(xi[1][i]) && is_number(xi[2][i]);
+      bad_[i] = good ? 0 : flag::bad_number;
+      if (!good) xi[0][i] = xi[1][i] = xi[2][i] = 0;
+    }
+  }
   bool any_bad_ = false;
   std::uint8_t bad_[kRun]{};
 };
@@ -86,26 +75,26 @@ void repeat_wi(const SampleBatch<T>& batch, std::size_t begin, std::size_t n, st
   for (auto& component : to) std::fill(component + n, component + padded, component[n - 1]);
 }
 
-// Of the samples that were flagged: a bad wi or number leaves no direction, and is all that the
-// flag tells of; one that was drawn below the horizon keeps its direction.
+// A run with a bad wi or number, which leave no direction and are all that the flag of their sample
+// tells of, or of a measured table. Counts the flags anew.
 template <class T>
-std::uint8_t settle_flagged(std::size_t n, const Numbers<T>& numbers, Scratch<T, T>& scratch,
-                            std::uint64_t& lost) {
-  std::uint8_t any = 0;
-  for_flagged(scratch.flags, n, [&](std::size_t i) {
+SampleReport settle(std::size_t n, const Numbers<T>& numbers, Run<T, T>& run,
+                    Scratch<T, T>& scratch) {
+  SampleReport report;
+  for (std::size_t i = 0; i < n; ++i) {
     const auto bad =
         static_cast<std::uint8_t>(direction_flags(scratch.wi[0][i], scratch.wi[1][i],
                                                   scratch.wi[2][i], flag::incident_below_horizon) |
                                   numbers.flags_of(i));
-    scratch.flags[i] = bad != 0 ? bad : flag::outgoing_below_horizon;
-    any = static_cast<std::uint8_t>(any | scratch.flags[i]);
-    if (bad == 0) {
-      ++lost;
-    } else {
+    if (bad != 0) {
+      scratch.flags[i] = bad;
       for (auto& component : scratch.wo) component[i] = 0;
+      run.clear(i);
     }
-  });
-  return any;
+    report.any_flags |= scratch.flags[i];
+    report.lost += bad == 0 && scratch.flags[i] != 0 ? 1 : 0;
+  }
+  return report;
 }
 
 template <class T>
@@ -121,8 +110,7 @@ SampleReport sample_all(const Sampler& sampler, const SampleBatch<T>& batch, Isa
     const std::size_t padded = padded_to(table, n);
     Run<T, T> run(sampler, isa, padded, scratch);
     repeat_wi(batch, begin, n, padded, table, scratch.wi);
-    numbers.load(batch, begin, n, padded, table);
-    if (batch.xi != nullptr) numbers.note_bad(n);
+    numbers.load(batch, begin, n, padded, sampling_kernels(isa));
     const T* const wi[3] = {scratch.wi[0], scratch.wi[1], scratch.wi[2]};
     run.share(wi, numbers.xi[0], numbers.chosen);
     run.draw({{wi[0], wi[1], wi[2]},
@@ -131,11 +119,14 @@ SampleReport sample_all(const Sampler& sampler, const SampleBatch<T>& batch, Isa
               0,
               padded,
               {scratch.wo[0], scratch.wo[1], scratch.wo[2]}});
-    run.evaluate({{wi[0], wi[1], wi[2]}, {scratch.wo[0], scratch.wo[1], scratch.wo[2]}, padded},
-                 true);
-    if (batch.xi != nullptr) numbers.add_flags(n, scratch.flags);
-    if (run.clear_flagged(n) != 0)
-      report.any_flags |= settle_flagged(n, numbers, scratch, report.lost);
+    const Finished finished = run.weigh(
+        {{wi[0], wi[1], wi[2]}, {scratch.wo[0], scratch.wo[1], scratch.wo[2]}, padded}, n);
+    SampleReport here{finished.lost > 0 ? flag::outgoing_below_horizon : std::uint8_t{0},
+                      finished.lost};
+    if (finished.bad_wi || numbers.any_bad() || sampler.impl().measured != nullptr)
+      here = settle(n, numbers, run, scratch);
+    report.any_flags |= here.any_flags;
+    report.lost += here.lost;
     copy_values(scratch.wo[0], kRun, 3, n, table, Values<T>::interleaved(batch.wo, 3), begin);
     std::copy_n(scratch.pdf, n, batch.pdf + begin);
     if (batch.weights.data != nullptr)

@@ -6,13 +6,13 @@
 // shares, tabulated over the angle of incidence when the sampler is made, give the weights the
 // least variance. The pdf is that of the whole mixture, so that it holds whichever strategy drew.
 //
-// Values and pdfs are those of the returned direction as rounded: evaluating (wi, wo) again with
-// the sampler gives the same f and pdf, bit for bit. (Without the sampler f may differ in its last
-// bit: the compiler may fuse other products where densities are formed beside.)
+// Values and pdfs are those of the returned direction as rounded: evaluating (wi, wo) again gives
+// the same f, with the sampler or without it, and the same pdf, bit for bit.
 //
 // A direction at or below the horizon is a lost sample: it has pdf 0, weight 0 and the flag
 // outgoing_below_horizon, and counts as a sample with the value 0. Only lobes of ggx lose any; a
-// mean over all samples, lost ones included, is right.
+// mean over all samples, lost ones included, is right. So is a sample of a measured material where
+// the table knows nothing; its flag is outside_data.
 //
 // Thread safety: a Sampler is immutable and cheap to copy.
 #pragma once

@@ -26,6 +26,8 @@ inline Draw<float> cosine_of(const SamplingTable& t, float) { return t.cosine32;
 inline Draw<double> cosine_of(const SamplingTable& t, double) { return t.cosine64; }
 inline Share<float> share_of(const SamplingTable& t, float) { return t.share32; }
 inline Share<double> share_of(const SamplingTable& t, double) { return t.share64; }
+inline SplitNumbers<float> split_of(const SamplingTable& t, float) { return t.split32; }
+inline SplitNumbers<double> split_of(const SamplingTable& t, double) { return t.split64; }
 inline DensityKernel<float, float> density_of(const SamplingKernels& k, float, float) {
   return k.fast;
 }

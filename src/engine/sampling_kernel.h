@@ -62,12 +62,14 @@ struct ShareRun {
 template <class T>
 using Share = void (*)(const MixtureTable&, const ShareRun<T>&);
 
-// Adds cosine_share (1 if null and `cosine`) * cos(theta_o) / pi to the densities in `pdf`, and,
-// for `channels` > 0, makes values f into weights f cos(theta_o) / pdf; 0 where the pdf is 0.
+// Adds cosine_share (1 if null and `cosine`) * cos(theta_o) / pi to the densities in `pdf`. If
+// `flags` is not null the pairs are samples: values f become weights f cos(theta_o) / pdf, 0 where
+// the pdf is 0, and the flags of those that are lost below the horizon are set, all others cleared.
 template <class In, class Out>
 struct FinishRun {
+  const In* wi[3];
   const In* wo[3];
-  std::size_t count;
+  std::size_t count, samples;  // of whole packets; of these, to be told of
   Out* pdf;
   bool cosine;  // whether the cosine is one of the strategies
   bool lobes;   // whether `pdf` holds densities of others
@@ -75,9 +77,18 @@ struct FinishRun {
   Out* values;
   std::size_t channel_stride;
   int channels;
+  std::uint8_t* flags;
+};
+struct Finished {
+  std::uint64_t lost = 0;
+  bool bad_wi = false;  // some wi cannot be used: their samples have the pdf 0, and no flag yet
 };
 template <class In, class Out>
-using Finish = void (*)(const FinishRun<In, Out>&);
+using Finish = Finished (*)(const FinishRun<In, Out>&);
+
+// Triples of numbers as separate components; whether all are in [0, 1).
+template <class T>
+using SplitNumbers = bool (*)(const T* xyz, std::size_t n, T* const (&xi)[3]);
 
 template <class T>
 using RandomNumbers = void (*)(const NumberSource&, std::uint64_t first, std::uint64_t per_wi,
@@ -100,6 +111,8 @@ struct SamplingTable {
   Share<double> share64;
   RandomNumbers<float> numbers32;
   RandomNumbers<double> numbers64;
+  SplitNumbers<float> split32;
+  SplitNumbers<double> split64;
   Finish<float, float> fast;
   Finish<float, double> reference;
   Finish<double, double> reference64;

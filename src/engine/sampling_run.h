@@ -14,7 +14,8 @@ namespace gonio::sampling {
 inline constexpr std::size_t kAlignment = 64;
 inline constexpr std::size_t kMaxStrategies = MixtureTable::kMaxLobes + 1;
 inline constexpr std::size_t kScratchValues =
-    8192;                                  // pairs x channels; at least kGrain of the most
+    8192;  // pairs x channels; at least kGrain of the most
+inline constexpr std::size_t kSamplingRun = 128;
 inline constexpr std::size_t kGrain = 16;  // pairs of the widest packet
 
 template <class In, class Out>
@@ -27,8 +28,9 @@ struct Scratch {
   alignas(kAlignment) std::uint8_t flags[kRun];
 };
 
+// Draws take two packets at a time.
 inline std::size_t padded_to(const KernelTable& table, std::size_t n) {
-  const auto width = static_cast<std::size_t>(table.width);
+  const auto width = 2 * static_cast<std::size_t>(table.width);
   return (n + width - 1) / width * width;
 }
 
@@ -56,39 +58,35 @@ class Run {
         isa_(isa),
         sampling_(sampling_kernels(isa)),
         padded_(padded),
-        scratch_(scratch) {
-    std::fill_n(scratch_.flags, padded, std::uint8_t{0});
-  }
+        scratch_(scratch) {}
 
   [[nodiscard]] bool is_mixture() const { return sampler_.strategies() > 1; }
 
-  // Values in scratch.values, channel by channel, `padded` apart, and pdfs; with `weigh` the values
-  // become weights.
-  void evaluate(const KernelInput<In>& in, bool weigh) {
-    KernelOutput<Out> out{scratch_.values, padded_, scratch_.flags, false};
-    DensityOutput<Out> density{scratch_.pdf, nullptr, false};
-    std::size_t lobe = 0;
-    for (const MaterialPart& part : material_.parts) {
-      if (draws(part, sampler_)) {
-        density.share = is_mixture() ? scratch_.shares[lobe] : nullptr;
-        evaluate_part(part, sampler_, isa_, in, out, density);
-        density.accumulate = true;
-        ++lobe;
-      } else {
-        kernel_of(part.kernels(kernels(isa_)), In(), Out())(part.constants.get(), in, out);
-      }
-      out.accumulate = true;
+  // Values in scratch.values, channel by channel, `padded` apart, pdfs and flags.
+  void evaluate(const KernelInput<In>& in) {
+    std::fill_n(scratch_.flags, padded_, std::uint8_t{0});
+    lobes(in, scratch_.flags);
+    finish(in, 0, nullptr);
+  }
+
+  // The same for pairs that have been drawn, the first `n` of which are samples: values become
+  // weights, and lost samples get their flag. Where a measured table knows nothing they are lost,
+  // too, and not counted yet.
+  Finished weigh(const KernelInput<In>& in, std::size_t n) {
+    if (sampler_.measured == nullptr) {
+      lobes(in, nullptr);
+      return finish(in, n, scratch_.flags);
     }
-    const FinishRun<In, Out> finish{{in.wo[0], in.wo[1], in.wo[2]},
-                                    padded_,
-                                    scratch_.pdf,
-                                    sampler_.cosine,
-                                    sampler_.lobes > 0,
-                                    is_mixture() ? scratch_.shares[sampler_.lobes] : nullptr,
-                                    scratch_.values,
-                                    padded_,
-                                    weigh ? material_.channels : 0};
-    finish_of(sampling_, In(), Out())(finish);
+    alignas(kAlignment) std::uint8_t told[kRun];
+    std::fill_n(told, padded_, std::uint8_t{0});
+    lobes(in, told);
+    const Finished finished = finish(in, n, scratch_.flags);
+    for_flagged(told, n, [&](std::size_t i) {
+      if (told[i] != flag::outside_data) return;
+      scratch_.flags[i] = flag::outside_data;
+      clear(i);
+    });
+    return finished;
   }
 
   // The shares of the strategies, if there are several; `xi` and `chosen` may be null.
@@ -118,18 +116,46 @@ class Run {
   }
 
   // What is flagged has no density.
-  std::uint8_t clear_flagged(std::size_t n) {
-    std::uint8_t any = 0;
-    for_flagged(scratch_.flags, n, [&](std::size_t i) {
-      any = static_cast<std::uint8_t>(any | scratch_.flags[i]);
-      scratch_.pdf[i] = 0;
-      for (int c = 0; c < material_.channels; ++c)
-        scratch_.values[static_cast<std::size_t>(c) * padded_ + i] = 0;
-    });
-    return any;
+  void clear(std::size_t i) {
+    scratch_.pdf[i] = 0;
+    for (int c = 0; c < material_.channels; ++c)
+      scratch_.values[static_cast<std::size_t>(c) * padded_ + i] = 0;
   }
 
  private:
+  void lobes(const KernelInput<In>& in, std::uint8_t* flags) {
+    KernelOutput<Out> out{scratch_.values, padded_, flags, false};
+    DensityOutput<Out> density{scratch_.pdf, nullptr, false};
+    std::size_t lobe = 0;
+    for (const MaterialPart& part : material_.parts) {
+      if (draws(part, sampler_)) {
+        density.share = is_mixture() ? scratch_.shares[lobe] : nullptr;
+        evaluate_part(part, sampler_, isa_, in, out, density);
+        density.accumulate = true;
+        ++lobe;
+      } else {
+        kernel_of(part.kernels(kernels(isa_)), In(), Out())(part.constants.get(), in, out);
+      }
+      out.accumulate = true;
+    }
+  }
+
+  Finished finish(const KernelInput<In>& in, std::size_t samples, std::uint8_t* flags) {
+    return finish_of(sampling_, In(),
+                     Out())({{in.wi[0], in.wi[1], in.wi[2]},
+                             {in.wo[0], in.wo[1], in.wo[2]},
+                             padded_,
+                             samples,
+                             scratch_.pdf,
+                             sampler_.cosine,
+                             sampler_.lobes > 0,
+                             is_mixture() ? scratch_.shares[sampler_.lobes] : nullptr,
+                             scratch_.values,
+                             padded_,
+                             material_.channels,
+                             flags});
+  }
+
   const Material::Impl& material_;
   const Sampler::Impl& sampler_;
   Isa isa_;
@@ -140,7 +166,7 @@ class Run {
 
 inline std::size_t run_length(const Sampler& sampler) {
   const auto channels = static_cast<std::size_t>(sampler.material().channels());
-  return std::min(kRun, kScratchValues / channels / kGrain * kGrain);
+  return std::min(kSamplingRun, kScratchValues / channels / kGrain * kGrain);
 }
 
 }  // namespace gonio::sampling

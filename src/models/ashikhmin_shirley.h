@@ -86,7 +86,7 @@ struct AshikhminShirley {
   };
   template <class N>
   struct Refined {
-    typename N::Wide exponent;    // log2 of (n.h)^e
+    typename N::Power power;      // (n.h)^e
     typename N::Real h2, sin2_d;  // |H|^2
   };
   template <class N>
@@ -121,7 +121,8 @@ struct AshikhminShirley {
     const Wide x2 = h.x * h.x, y2 = h.y * h.y, c = h.z * h.z;
     const Wide weighted = sum_of_products(Wide(k.minus_half_nu), x2, Wide(k.minus_half_nv), y2);
     const Wide h2 = g.half.length2();
-    return {N::weighted_log2_1p(weighted, x2 + y2, c, h2), N::real(h2), N::real(g.half.sin2_d())};
+    return {N::exp2(N::weighted_log2_1p(weighted, x2 + y2, c, h2)), N::real(h2),
+            N::real(g.half.sin2_d())};
   }
 
   template <class N>
@@ -135,7 +136,7 @@ struct AshikhminShirley {
     // One division for 1/below and for 1 - cos_d = sin^2 / (1 + cos_d).
     const Real beside = Real(1) + cos_d, inverse = Real(1) / (below * beside);
     const Real w = max(r.sin2_d, Real(0)) * (below * inverse);
-    return {N::times_exp2(Real(k.norm) * (beside * inverse), r.exponent), (w * w) * (w * w) * w,
+    return {N::times_exp2(Real(k.norm) * (beside * inverse), r.power), (w * w) * (w * w) * w,
             falloff(g.cos_i) * falloff(g.cos_o)};
   }
 
@@ -164,11 +165,9 @@ struct AshikhminShirley {
                                                const Stage<N>&, const Refined<N>& r,
                                                const Aim<N>& aim) {
     using Real = typename N::Real;
-    using std::sqrt;
     const Real half_e = aim.by_azimuth(Real(-k.minus_half_nu), Real(-k.minus_half_nv));
-    const Real gain = aim.gain(PowerProfile<N>{half_e + Real(0.5)});
-    const Real cos_d = max(Real(0.5) * sqrt(r.h2), Real(1e-29));
-    return N::times_exp2(Real(k.norm) * gain / cos_d, r.exponent);
+    const PowerProfile<N> profile(half_e + Real(0.5));
+    return N::times_exp2(Real(4 * k.norm) * aim.gain(profile), r.power);
   }
 
   template <class N>
@@ -178,11 +177,11 @@ struct AshikhminShirley {
     using Real = typename N::Real;
     using std::sqrt;
     const Real half_nu = Real(-k.minus_half_nu), half_nv = Real(-k.minus_half_nv);
-    const auto at = turn(Real(0.5) * xi.u);
+    const auto at = half_turn(xi.u);
     const auto phi =
         unit_tangent(sqrt(half_nv + Real(0.5)) * at.cos, sqrt(half_nu + Real(0.5)) * at.sin);
     const Real half_e = sum_of_products(half_nu, phi.x * phi.x, half_nv, phi.y * phi.y);
-    return draw_by_half_vector<N>(PowerProfile<N>{half_e + Real(0.5)}, phi, wi, xi.v);
+    return draw_by_half_vector<N>(PowerProfile<N>(half_e + Real(0.5)), phi, wi, xi.v);
   }
 
   template <class N>

@@ -53,19 +53,19 @@ struct BlinnPhong {
 
   template <class N>
   struct Refined {
-    typename N::Wide exponent;
+    typename N::Power power;
   };
 
   template <class N>
   static GONIO_INLINE Refined<N> refine(const Shape<typename N::WideScalar>& k,
                                         const HalfVector<N>& half, const Stage<N>&) {
-    return {cosine_power::of_half_vector<N>(k.minus_half_s, half)};
+    return {N::exp2(cosine_power::of_half_vector<N>(k.minus_half_s, half))};
   }
 
   template <class N>
   static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k,
                                                  const Stage<N>&, const Refined<N>& r) {
-    return N::times_exp2(typename N::Real(k.norm), r.exponent);
+    return N::times_exp2(typename N::Real(k.norm), r.power);
   }
 
   // Sampling: half-vectors by (s+1)/(2 pi) (n.h)^s, none that reflects below the horizon.
@@ -79,13 +79,11 @@ struct BlinnPhong {
 
   template <class N>
   static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
-                                               const HalfVector<N>& half, const Stage<N>&,
+                                               const HalfVector<N>&, const Stage<N>&,
                                                const Refined<N>& r, const Aim<N>& aim) {
-    using Real = typename N::Real;
-    const Real width = Real(0.5 - k.minus_half_s);
-    const Real gain = aim.gain(PowerProfile<N>{width});
-    const Real cos_d4 = max(Real(2) * N::root(half.length2()), Real(1e-29));
-    return N::times_exp2(width * Real(0.318309886183790672) * gain / cos_d4, r.exponent);
+    const double width = 0.5 - k.minus_half_s;
+    return N::times_exp2(
+        typename N::Real(width * 0.318309886183790672) * aim.gain(PowerProfile<N>(width)), r.power);
   }
 
   template <class N>
@@ -93,8 +91,8 @@ struct BlinnPhong {
                                                   const Vec3<typename N::Real>& wi,
                                                   const Xi<typename N::Real>& xi) {
     using Real = typename N::Real;
-    const auto phi = turn(Real(0.5) * xi.u);
-    return draw_by_half_vector<N>(PowerProfile<N>{Real(0.5 - k.minus_half_s)},
+    const auto phi = half_turn(xi.u);
+    return draw_by_half_vector<N>(PowerProfile<N>(0.5 - k.minus_half_s),
                                   Tangent<Real>{phi.cos, phi.sin}, wi, xi.v);
   }
 };

@@ -113,7 +113,7 @@ struct CookTorrance::CosinePower {
   }
   template <class N>
   static GONIO_INLINE PowerProfile<N> profile(const Shape<typename N::WideScalar>& k) {
-    return {typename N::Real(1 - k.minus_half_s)};
+    return PowerProfile<N>(1 - k.minus_half_s);
   }
 };
 
@@ -139,14 +139,14 @@ struct CookTorrance::WithDistribution {
 
   template <class N>
   struct Refined {
-    typename N::Wide exponent;  // log2 of D without its factor
-    typename N::Real h2, z;     // |H|^2, Hz
+    typename N::Power power;  // D without its factor
+    typename N::Real h2, z;   // |H|^2, Hz
   };
 
   template <class N>
   static GONIO_INLINE Refined<N> refine(const Shape<typename N::WideScalar>& k,
                                         const HalfVector<N>& half, const Stage<N>&) {
-    return {Distribution::template exponent<N>(k, half), N::real(half.length2()),
+    return {N::exp2(Distribution::template exponent<N>(k, half)), N::real(half.length2()),
             N::real(half.h.z)};
   }
 
@@ -159,7 +159,7 @@ struct CookTorrance::WithDistribution {
     const Real z = max(r.z, Real(1e-12));
     const Real sec2 = min(r.h2 / (z * z), Real(1e9));
     const Real masking = z / max(g.cos_max * max(Real(4) * g.cos_min * z, r.h2), Real(1e-37));
-    return N::times_exp2(min(Real(1e37), Distribution::factor(k, sec2) * masking), r.exponent);
+    return N::times_exp2(min(Real(1e37), Distribution::factor(k, sec2) * masking), r.power);
   }
 
   // Sampling by the visible normals of V-cavities: Heitz & d'Eon 2014, "Importance Sampling
@@ -167,11 +167,14 @@ struct CookTorrance::WithDistribution {
   // image are chosen between by their cosines to wi; here only where both reflect to above the
   // horizon, and no normal is drawn that does not.
   template <class N>
-  using Aim = HalfVectorAim<N>;
+  struct Aim {
+    HalfVectorAim<N> half;
+    typename N::Real cos_i;
+  };
 
   template <class N>
   static GONIO_INLINE Aim<N> aim(const Shape<typename N::WideScalar>&, const Geometry<N>& g) {
-    return Aim<N>(g);
+    return {HalfVectorAim<N>(g), g.cos_i()};
   }
 
   template <class N>
@@ -179,15 +182,14 @@ struct CookTorrance::WithDistribution {
                                                const HalfVector<N>&, const Stage<N>&,
                                                const Refined<N>& r, const Aim<N>& aim) {
     using Real = typename N::Real;
-    const Colatitude<Real> lit = reach(aim.toward, aim.z);
-    const Real mass = Distribution::template profile<N>(k).mass(lit).one_minus;
+    const Colatitude<Real> lit = reach(aim.half.toward, aim.half.z2);
+    const Real mass = Distribution::template profile<N>(k).mass_beyond_45(lit);
     const Real z = max(r.z, Real(1e-12)), sec2 = min(r.h2 / (z * z), Real(1e9));
     // D cos(delta) / (4 wi.h), times 2, times wi.h / (2 (n.wi) cos(delta)) where the mirror image
     // could be chosen as well.
-    const auto alone = (Real(0) < aim.toward) & (lit.cos2 * r.h2 < aim.x2 + aim.y2);
-    const Real factor = select(alone, z / r.h2, Real(0.25) / aim.cos_i);
-    return N::times_exp2(min(Real(1e37), Distribution::factor(k, sec2) * factor / mass),
-                         r.exponent);
+    const auto alone = (Real(0) < aim.half.toward) & (lit.cos2 * r.h2 < aim.half.x2 + aim.half.y2);
+    const Real above = select(alone, z, Real(0.25)), below = select(alone, r.h2, aim.cos_i) * mass;
+    return N::times_exp2(min(Real(1e37), Distribution::factor(k, sec2) * above / below), r.power);
   }
 
   template <class N>
@@ -196,18 +198,19 @@ struct CookTorrance::WithDistribution {
                                                   const Xi<typename N::Real>& xi) {
     using Real = typename N::Real;
     using std::sqrt;
-    const auto phi = turn(xi.u);
-    const Real toward = sum_of_products(wi.x, phi.cos, wi.y, phi.sin);
-    const Colatitude<Real> lit = reach(toward, wi.z);
+    const auto phi = half_turn(xi.u);
+    const Tangent<Real> axis{phi.cos, phi.sin};
+    const Real toward = sum_of_products(wi.x, axis.x, wi.y, axis.y);
+    const Colatitude<Real> lit = reach(toward, wi.z * wi.z);
     const auto profile = Distribution::template profile<N>(k);
-    const Colatitude<Real> theta = profile.at(xi.v * profile.mass(lit).one_minus);
-    const Real sine = sqrt(theta.sin2), cosine = sqrt(theta.cos2);
-    const Real up = wi.z * cosine;
-    const Real share =
-        select(theta.sin2 < lit.cos2, (up + absolute(toward) * sine) / (up + up), Real(1));
-    const Real side =
-        select(Real(0) < toward, sine, -sine) * select(xi.choice < share, Real(1), Real(-1));
-    return reflected(wi, {side * phi.cos, side * phi.sin, cosine});
+    const Colatitude<Real> theta = profile.at(xi.v * profile.mass_beyond_45(lit));
+    // The share of the side of the light: its cosine to wi over that of both.
+    const Real up = wi.z * theta.cos2;
+    const Real facing = up + absolute(toward) * sqrt(theta.sin2 * theta.cos2);
+    const Real share = select(theta.sin2 < lit.cos2, facing, up + up);
+    const auto to_light = xi.choice * (up + up) < share;
+    const Real side = select(Real(0) < toward, Real(1), Real(-1));
+    return reflected(wi, axis, toward, theta, select(to_light, side, -side));
   }
 };
 

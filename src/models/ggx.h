@@ -86,49 +86,54 @@ struct Ggx {
   // Smith-GGX Reflections", listing 1 and 2. Roughness up to 1.
   template <class N>
   struct Aim {
-    typename N::Real below;  // D / (2 pdf)
+    typename N::Real above, below;  // 2 pdf / D
   };
 
-  // How far above its lower end the cap of normals is cut, and 1 + sin(theta_i).
+  // How far above its lower end the cap of normals is cut, as a fraction: above / below.
+  template <class T>
+  struct Cap {
+    T above, below;
+  };
   template <class N>
-  static GONIO_INLINE typename N::Real cap(const Shape<typename N::WideScalar>& k,
-                                           const Vec3<typename N::Real>& wi) {
+  static GONIO_INLINE Cap<typename N::Real> cap(const Shape<typename N::WideScalar>& k,
+                                                const Vec3<typename N::Real>& wi) {
     using Real = typename N::Real;
     using std::sqrt;
-    const Real a2 = Real(k.ax2 < k.ay2 ? k.ax2 : k.ay2);
+    const double a2 = k.ax2 < k.ay2 ? k.ax2 : k.ay2;
     const Real s = Real(1) + sqrt(sum_of_products(wi.x, wi.x, wi.y, wi.y)), s2 = s * s;
-    return (Real(1) - a2) * s2 / (s2 + a2 * (wi.z * wi.z));
+    return {Real(1 - a2) * s2, s2 + Real(a2) * (wi.z * wi.z)};
   }
 
   template <class N>
   static GONIO_INLINE Aim<N> aim(const Shape<typename N::WideScalar>& k, const Geometry<N>& g) {
-    return {cap<N>(k, g.real_wi) * g.cos_i() + length<N>(k, g.real_wi)};
+    const auto [above, below] = cap<N>(k, g.real_wi);
+    return {below, sum_of_products(above, g.cos_i(), below, length<N>(k, g.real_wi))};
   }
 
   template <class N>
   static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
                                                const HalfVector<N>&, const Stage<N>&,
                                                const Refined<N>& r, const Aim<N>& aim) {
-    return typename N::Real(k.norm) * (r.ratio * r.ratio) / aim.below;
+    return typename N::Real(k.norm) * (r.ratio * r.ratio) * aim.above / aim.below;
   }
 
+  // The papers' unit vectors times L(wi), which spares roots and divisions.
   template <class N>
   static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
                                                   const Vec3<typename N::Real>& wi,
                                                   const Xi<typename N::Real>& xi) {
     using Real = typename N::Real;
     using std::sqrt;
-    const Real ax = sqrt(Real(k.ax2)), ay = sqrt(Real(k.ay2));
-    const Real inverse = Real(1) / length<N>(k, wi);
-    const Vec3<Real> standard{ax * wi.x * inverse, ay * wi.y * inverse, wi.z * inverse};
-    const Real b = cap<N>(k, wi) * standard.z;
+    const Real l = length<N>(k, wi);
+    const auto [above, below] = cap<N>(k, wi);
     // 1 - z, so that sin^2 = (1 - z)(1 + z) keeps its digits.
-    const Real down = xi.v * (Real(1) + b), up = Real(2) - down;
+    const Real down = xi.v * (l + wi.z * (above / below)), up = l + l - down;
     const Real sine = sqrt(max(down * up, Real(0)));
     const auto phi = turn(xi.u);
-    const Vec3<Real> m{ax * (standard.x + sine * phi.cos), ay * (standard.y + sine * phi.sin),
-                       standard.z + (Real(1) - down)};
-    return reflected(wi, (Real(1) / sqrt(dot(m, m))) * m);
+    const Vec3<Real> m{sum_of_products(Real(k.ax2), wi.x, Real(sqrt(k.ax2)) * sine, phi.cos),
+                       sum_of_products(Real(k.ay2), wi.y, Real(sqrt(k.ay2)) * sine, phi.sin),
+                       wi.z + (l - down)};
+    return combine(Real(2) * dot(wi, m) / dot(m, m), m, Real(-1), wi);
   }
 
   // L(w): the length of w with its tangential part scaled by the roughness.
@@ -137,7 +142,8 @@ struct Ggx {
                                               const Vec3<typename N::Real>& w) {
     using Real = typename N::Real;
     using std::sqrt;
-    return sqrt(sum_of_products(Real(k.ax2), w.x * w.x, Real(k.ay2), w.y * w.y) + w.z * w.z);
+    const Real tangential = sum_of_products(Real(k.ax2), w.x * w.x, Real(k.ay2), w.y * w.y);
+    return sqrt(multiply_add(w.z, w.z, tangential));
   }
 };
 

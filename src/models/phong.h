@@ -50,19 +50,20 @@ struct Phong {
 
   template <class N>
   struct Refined {
-    typename N::Wide exponent;
+    typename N::Power power;
   };
 
   template <class N>
   static GONIO_INLINE Refined<N> refine(const Shape<typename N::WideScalar>& k,
                                         const HalfVector<N>& half, const Stage<N>& mirror) {
-    return {cosine_power::of_base<N>(k.minus_s, k.of_zero, mirror.cos, mirror.one_minus_cos(half))};
+    return {N::exp2(
+        cosine_power::of_base<N>(k.minus_s, k.of_zero, mirror.cos, mirror.one_minus_cos(half)))};
   }
 
   template <class N>
   static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>& k,
                                                  const Stage<N>&, const Refined<N>& r) {
-    return N::times_exp2(typename N::Real(k.norm), r.exponent);
+    return N::times_exp2(typename N::Real(k.norm), r.power);
   }
 
   // Sampling: (s+1)/(2 pi) (wr.wo)^s, nothing of it below the horizon.
@@ -78,17 +79,16 @@ struct Phong {
   static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
                                                const HalfVector<N>&, const Stage<N>&,
                                                const Refined<N>& r, const Aim<N>& aim) {
-    using Real = typename N::Real;
-    const Real width = Real(0.5 - 0.5 * k.minus_s);
-    const Real gain = aim.gain(PowerProfile<N>{width});
-    return N::times_exp2(width * Real(0.318309886183790672) * gain, r.exponent);
+    const double width = 0.5 - 0.5 * k.minus_s;
+    return N::times_exp2(
+        typename N::Real(width * 0.318309886183790672) * aim.gain(PowerProfile<N>(width)), r.power);
   }
 
   template <class N>
   static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
                                                   const Vec3<typename N::Real>& wi,
                                                   const Xi<typename N::Real>& xi) {
-    return draw_about_mirror<N>({typename N::Real(0.5 - 0.5 * k.minus_s)}, wi, xi.u, xi.v);
+    return draw_about_mirror<N>(PowerProfile<N>(0.5 - 0.5 * k.minus_s), wi, xi.u, xi.v);
   }
 };
 

@@ -60,7 +60,7 @@ struct PhongMix {
 
   template <class N>
   struct Refined {
-    typename N::Wide exponent;
+    typename N::Power power;
   };
 
   template <class N>
@@ -77,13 +77,13 @@ struct PhongMix {
         sum_of_products(Wide(k.rest), max(mirror.cos, Wide(0)), Wide(k.mix), cos2 * cos2);
     const Wide one_minus_base =
         sum_of_products(Wide(k.rest), mirror_part, Wide(k.mix), sine2 * (Wide(1) + cos2));
-    return {cosine_power::of_base<N>(k.minus_s, k.of_zero, base, one_minus_base)};
+    return {N::exp2(cosine_power::of_base<N>(k.minus_s, k.of_zero, base, one_minus_base))};
   }
 
   template <class N>
   static GONIO_INLINE typename N::Real amplitude(const Shape<typename N::WideScalar>&,
                                                  const Stage<N>&, const Refined<N>& r) {
-    return N::times_exp2(typename N::Real(1), r.exponent);
+    return N::times_exp2(typename N::Real(1), r.power);
   }
 
   // Sampling: by the shares 1 - mix and mix, what phong draws for s and what blinn_phong draws for
@@ -101,32 +101,53 @@ struct PhongMix {
 
   template <class N>
   static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
-                                               const HalfVector<N>& half, const Stage<N>& mirror,
+                                               const HalfVector<N>&, const Stage<N>&,
                                                const Refined<N>&, const Aim<N>& aim) {
     using Real = typename N::Real;
-    const Real mirror_width = Real(0.5 - 0.5 * k.minus_s), half_width = Real(0.5 - 2 * k.minus_s);
-    const Real of_mirror = N::times_exp2(
-        mirror_width * aim.mirror.gain(PowerProfile<N>{mirror_width}),
-        cosine_power::of_base<N>(k.minus_s, k.of_zero, mirror.cos, mirror.one_minus_cos(half)));
-    const Real cos_d4 = max(Real(2) * N::root(half.length2()), Real(1e-29));
+    const double mirror_width = 0.5 - 0.5 * k.minus_s, half_width = 0.5 - 2 * k.minus_s;
+    const Real mirror_gain = aim.mirror.gain(PowerProfile<N>(mirror_width));
+    const Real half_gain = aim.half.gain(PowerProfile<N>(half_width));
+    const Real of_mirror =
+        exp2_of(Real(-k.minus_s) * log2_of_rest(aim.mirror.away, aim.mirror.cosine)).power;
+    const Real across2 = aim.half.x2 + aim.half.y2;
+    const Real inverse = Real(1) / max(across2 + aim.half.hz2, Real(1e-30));
     const Real of_half =
-        N::times_exp2(half_width * aim.half.gain(PowerProfile<N>{half_width}) / cos_d4,
-                      cosine_power::of_half_vector<N>(2 * k.minus_s, half));
-    return Real(0.318309886183790672) *
-           sum_of_products(Real(k.rest), of_mirror, Real(k.mix), of_half);
+        exp2_of(Real(-2 * k.minus_s) * log2_of_rest(across2 * inverse, aim.half.hz2 * inverse))
+            .power;
+    constexpr double kInversePi = 0.318309886183790672;
+    return sum_of_products(Real(kInversePi * k.rest * mirror_width) * mirror_gain, of_mirror,
+                           Real(kInversePi * k.mix * half_width) * half_gain, of_half);
   }
 
+  // Both lobes at once: an axis, how far it reaches on its shorter side, a place along it.
   template <class N>
   static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
                                                   const Vec3<typename N::Real>& wi,
                                                   const Xi<typename N::Real>& xi) {
     using Real = typename N::Real;
     const auto by_half = xi.choice < Real(k.mix);
-    const auto phi = turn(Real(0.5) * xi.u);
-    const Vec3<Real> a = draw_by_half_vector<N>(PowerProfile<N>{Real(0.5 - 2 * k.minus_s)},
-                                                Tangent<Real>{phi.cos, phi.sin}, wi, xi.v);
-    const Vec3<Real> b = draw_about_mirror<N>({Real(0.5 - 0.5 * k.minus_s)}, wi, xi.u, xi.v);
-    return {select(by_half, a.x, b.x), select(by_half, a.y, b.y), select(by_half, a.z, b.z)};
+    const auto either = [&](const Real& half, const Real& mirror) {
+      return select(by_half, half, mirror);
+    };
+    const double mirror_width = 0.5 - 0.5 * k.minus_s, half_width = 0.5 - 2 * k.minus_s;
+    const PowerProfile<N> profile(either(half_width, mirror_width),
+                                  either(1 / half_width, 1 / mirror_width));
+    const auto phi = half_turn(xi.u);
+    const Tangent<Real> axis{phi.cos, phi.sin};
+    const MirrorAxis<Real> about(axis, wi);
+    const Colatitude<Real> fall = about.limit(wi);
+    const Real toward = sum_of_products(wi.x, axis.x, wi.y, axis.y);
+    const Colatitude<Real> lit = reach(toward, wi.z * wi.z);
+    const Real longer = either(profile.mass_beyond_45(lit), 1);
+    const Real shorter =
+        profile.mass(Colatitude<Real>{either(lit.cos2, fall.sin2), either(lit.sin2, fall.cos2)});
+    const auto longer_first = Real(0) < either(toward, axis.x);
+    const Along<Real> place =
+        along(xi.v, select(longer_first, longer, shorter), select(longer_first, shorter, longer));
+    const Colatitude<Real> angle = profile.at(place.mass);
+    const Vec3<Real> a = reflected(wi, axis, toward, angle, place.sign);
+    const Vec3<Real> b = about.direction(wi, angle, place.sign);
+    return {either(a.x, b.x), either(a.y, b.y), either(a.z, b.z)};
   }
 };
 

@@ -77,7 +77,7 @@ struct Ward {
 
   template <class N>
   struct Refined {
-    typename N::Wide exponent;
+    typename N::Power power;
     typename N::Real h2, z;  // |H|^2, Hz
   };
 
@@ -88,7 +88,7 @@ struct Ward {
     const Wide x2 = half.h.x * half.h.x, y2 = half.h.y * half.h.y, z2 = half.h.z * half.h.z;
     const Wide weighted =
         sum_of_products(x2, Wide(k.minus_inverse_ax2), y2, Wide(k.minus_inverse_ay2));
-    return {weighted / (z2 + Wide(1e-300)), N::real(half.length2()), N::real(half.h.z)};
+    return {N::exp2(weighted / (z2 + Wide(1e-300))), N::real(half.length2()), N::real(half.h.z)};
   }
 
   template <class N>
@@ -97,8 +97,7 @@ struct Ward {
     using Real = typename N::Real;
     // Beyond the stated horizon the bounds keep the factor finite.
     const Real z = max(r.z, Real(1e-9)), inverse2 = Real(1) / (z * z);
-    return N::times_exp2(min(Real(1e37), Real(k.norm) * ((r.h2 * inverse2) * inverse2)),
-                         r.exponent);
+    return N::times_exp2(min(Real(1e37), Real(k.norm) * ((r.h2 * inverse2) * inverse2)), r.power);
   }
 
   // Sampling: half-vectors by the Gaussian of their slopes, none that reflects below the horizon.
@@ -117,10 +116,9 @@ struct Ward {
                                                const Refined<N>& r, const Aim<N>& aim) {
     using Real = typename N::Real;
     const Real rate = aim.by_azimuth(Real(k.minus_inverse_ax2), Real(k.minus_inverse_ay2));
-    const Real gain = aim.gain(SlopeProfile<N>{rate});
-    const Real z = max(r.z, Real(1e-9)), inverse = Real(1) / z;
-    const Real factor = (r.h2 * inverse) * inverse * inverse;
-    return N::times_exp2(min(Real(1e37), Real(0.5) * Real(k.norm) * factor * gain), r.exponent);
+    const Real z = max(r.z, Real(1e-9)), masses = aim.masses(SlopeProfile<N>{rate});
+    const Real factor = Real(k.norm) * r.h2 / (masses * z * (z * z));
+    return N::times_exp2(min(Real(1e37), factor), r.power);
   }
 
   template <class N>
@@ -130,7 +128,7 @@ struct Ward {
     using Real = typename N::Real;
     using std::sqrt;
     const Real rate_x = Real(k.minus_inverse_ax2), rate_y = Real(k.minus_inverse_ay2);
-    const auto at = turn(Real(0.5) * xi.u);
+    const auto at = half_turn(xi.u);
     const auto phi = unit_tangent(sqrt(-rate_y) * at.cos, sqrt(-rate_x) * at.sin);
     const Real rate = sum_of_products(rate_x, phi.x * phi.x, rate_y, phi.y * phi.y);
     return draw_by_half_vector<N>(SlopeProfile<N>{rate}, phi, wi, xi.v);

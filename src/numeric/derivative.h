@@ -16,6 +16,7 @@ struct Derivative {
   using Real = Wide;
   using Mask = GONIO_ISA::Mask;
   using Out = double;
+  using Power = Wide;
   static constexpr bool kQuick = false;
 
   static GONIO_INLINE Real largest() { return Real::constant(Reference::largest()); }
@@ -43,7 +44,8 @@ struct Derivative {
     return {value, by_weight + inverse_s * (w.v * change - value * s.d)};
   }
 
-  static GONIO_INLINE Real times_exp2(const Real& amplitude, const Wide& x) {
+  static GONIO_INLINE Power exp2(const Wide& x) { return x; }
+  static GONIO_INLINE Real times_exp2(const Real& amplitude, const Power& x) {
     const Number kLog2 = 0.693147180559945309;
     const Number value = Reference::times_exp2(amplitude.v, x.v);
     return {value, Reference::times_exp2(amplitude.d, x.v) + kLog2 * value * x.d};

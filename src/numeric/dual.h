@@ -59,7 +59,10 @@ struct Dual {
   }
   friend GONIO_INLINE Dual min(const Dual& a, const Dual& b) { return select(b.v < a.v, b, a); }
   friend GONIO_INLINE Dual max(const Dual& a, const Dual& b) { return select(a.v < b.v, b, a); }
-  // a b + p q.
+  // a b + p, and a b + p q.
+  friend GONIO_INLINE Dual multiply_add(const Dual& a, const Dual& b, const Dual& p) {
+    return {multiply_add(a.v, b.v, p.v), sum_of_products(a.d, b.v, a.v, b.d) + p.d};
+  }
   friend GONIO_INLINE Dual sum_of_products(const Dual& a, const Dual& b, const Dual& p,
                                            const Dual& q) {
     return {sum_of_products(a.v, b.v, p.v, q.v),

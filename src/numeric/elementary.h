@@ -79,19 +79,26 @@ GONIO_INLINE Double<E> weighted_log2_1p(Double<E> w, Double<E> s, Double<E> c, D
   }
 }
 
-// amplitude * 2^x for x <= 0 and amplitude < 2^127, without underflow before the product. Relative
-// error 2.5e-7; x below -255 counts as -255.
-GONIO_INLINE Float times_exp2(Float amplitude, Double<Exactness::quick> x) {
+// 2^x for x <= 0 as a number in [1/2, 1] and a whole power of two, so that what multiplies it comes
+// before an underflow; x below -255 counts as -255.
+struct QuickPower {
+  Float number, exponent;
+};
+GONIO_INLINE QuickPower quick_exp2(Double<Exactness::quick> x) {
   // 2^(m - 1) on [1, 2], minimax, relative error 2e-9 before rounding to float.
   static constexpr double kExp2[] = {
       0.5002514095335279,  0.3453396716528393,     0.12266852413489496,   0.02486719921157127,
       0.00671434311378965, -5.816856302982807e-05, 0.00021702277208753714};
   Float k, m;
   split_exponent(x, k, m);
-  return scale(amplitude * polynomial(m, kExp2), k);
+  return {polynomial(m, kExp2), k};
+}
+// amplitude * 2^x for amplitude < 2^127. Relative error 2.5e-7.
+GONIO_INLINE Float times_exp2(Float amplitude, QuickPower power) {
+  return scale(amplitude * power.number, power.exponent);
 }
 
-// The same in float64. Relative error 5e-16 (1 + |x|).
+// amplitude * 2^x in float64, for x <= 0. Relative error 5e-16 (1 + |x|).
 GONIO_INLINE Double<Exactness::exact> times_exp2(Double<Exactness::exact> amplitude,
                                                  Double<Exactness::exact> x) {
   using D = Double<Exactness::exact>;

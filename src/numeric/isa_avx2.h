@@ -5,6 +5,8 @@
 
 #include <immintrin.h>
 
+#include <cstdint>
+
 #include "numeric/inline.h"
 
 namespace gonio::avx2::raw {
@@ -34,6 +36,7 @@ GONIO_INLINE void exact_product(D a, D b, D& product, D& error) {
   asm("" : "+x"(product));
   error = _mm256_fmsub_pd(a, b, product);
 }
+GONIO_INLINE F absolute(F x) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0F), x); }
 GONIO_INLINE F sqrt(F x) { return _mm256_sqrt_ps(x); }
 GONIO_INLINE D sqrt(D x) { return _mm256_sqrt_pd(x); }
 GONIO_INLINE D round(D x) {
@@ -123,6 +126,12 @@ GONIO_INLINE M less(D alo, D ahi, D blo, D bhi) {
 GONIO_INLINE M mask_and(M a, M b) { return _mm256_and_ps(a, b); }
 GONIO_INLINE unsigned bits(M m) { return static_cast<unsigned>(_mm256_movemask_ps(m)); }
 
+// A byte a lane: `value` where the lane's bit is set, else 0.
+GONIO_INLINE void store_bytes(std::uint8_t* to, unsigned bits, std::uint8_t value) {
+  for (int i = 0; i < kWidth; ++i)
+    to[i] = static_cast<std::uint8_t>((0U - (bits >> i & 1U)) & value);
+}
+
 GONIO_INLINE F select(M m, F a, F b) { return _mm256_blendv_ps(b, a, m); }
 GONIO_INLINE void select(M m, D& lo, D& hi, D blo, D bhi) {
   const __m256i wide_lo = _mm256_cvtepi32_epi64(_mm_castps_si128(_mm256_castps256_ps128(m)));
@@ -136,6 +145,14 @@ GONIO_INLINE F gather(const float* table, D lo, D hi) {
   const __m128i a = _mm256_cvttpd_epi32(lo);
   const __m128i b = _mm256_cvttpd_epi32(hi);
   return _mm256_i32gather_ps(table, _mm256_inserti128_si256(_mm256_castsi128_si256(a), b, 1), 4);
+}
+
+// One of the 16 numbers at `table`, lane by lane; the index is a whole number held as a float.
+GONIO_INLINE F pick16(const float* table, F index) {
+  const __m256i at = _mm256_cvttps_epi32(index);
+  const F low = _mm256_permutevar8x32_ps(load(table), at);
+  const F high = _mm256_permutevar8x32_ps(load(table + 8), at);
+  return _mm256_blendv_ps(low, high, _mm256_castsi256_ps(_mm256_slli_epi32(at, 28)));
 }
 
 // The products of the lower 32 bits of 64-bit lanes.

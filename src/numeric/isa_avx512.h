@@ -4,6 +4,8 @@
 
 #include <immintrin.h>
 
+#include <cstdint>
+
 #include "numeric/inline.h"
 
 namespace gonio::avx512::raw {
@@ -33,6 +35,7 @@ GONIO_INLINE void exact_product(D a, D b, D& product, D& error) {
   asm("" : "+v"(product));
   error = _mm512_fmsub_pd(a, b, product);
 }
+GONIO_INLINE F absolute(F x) { return _mm512_abs_ps(x); }
 GONIO_INLINE F sqrt(F x) { return _mm512_sqrt_ps(x); }
 GONIO_INLINE D sqrt(D x) { return _mm512_sqrt_pd(x); }
 GONIO_INLINE D round(D x) {
@@ -99,6 +102,12 @@ GONIO_INLINE M less(D alo, D ahi, D blo, D bhi) {
 GONIO_INLINE M mask_and(M a, M b) { return _kand_mask16(a, b); }
 GONIO_INLINE unsigned bits(M m) { return _cvtmask16_u32(m); }
 
+// A byte a lane: `value` where the lane's bit is set, else 0.
+GONIO_INLINE void store_bytes(std::uint8_t* to, unsigned bits, std::uint8_t value) {
+  const __m128i bytes = _mm_maskz_set1_epi8(static_cast<__mmask16>(bits), static_cast<char>(value));
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(to), bytes);
+}
+
 GONIO_INLINE F select(M m, F a, F b) { return _mm512_mask_blend_ps(m, b, a); }
 GONIO_INLINE void select(M m, D& lo, D& hi, D blo, D bhi) {
   lo = _mm512_mask_blend_pd(static_cast<__mmask8>(m), blo, lo);
@@ -110,6 +119,11 @@ GONIO_INLINE F gather(const float* table, D lo, D hi) {
   const __m256i a = _mm512_cvttpd_epi32(lo);
   const __m256i b = _mm512_cvttpd_epi32(hi);
   return _mm512_i32gather_ps(_mm512_inserti64x4(_mm512_castsi256_si512(a), b, 1), table, 4);
+}
+
+// One of the 16 numbers at `table`, lane by lane; the index is a whole number held as a float.
+GONIO_INLINE F pick16(const float* table, F index) {
+  return _mm512_permutexvar_ps(_mm512_cvttps_epi32(index), load(table));
 }
 
 // The products of the lower 32 bits of 64-bit lanes.

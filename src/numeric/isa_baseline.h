@@ -4,6 +4,8 @@
 
 #include <emmintrin.h>
 
+#include <cstdint>
+
 #include "numeric/inline.h"
 
 namespace gonio::baseline::raw {
@@ -40,6 +42,7 @@ GONIO_INLINE void exact_product(D a, D b, D& product, D& error) {
   product = a * b;
   error = ((ah * bh - product) + ah * bl + al * bh) + al * bl;
 }
+GONIO_INLINE F absolute(F x) { return _mm_andnot_ps(_mm_set1_ps(-0.0F), x); }
 GONIO_INLINE F sqrt(F x) { return _mm_sqrt_ps(x); }
 GONIO_INLINE D sqrt(D x) { return _mm_sqrt_pd(x); }
 // Adding and taking away 1.5 * 2^52 leaves the nearest whole number, for |x| < 2^51.
@@ -118,6 +121,12 @@ GONIO_INLINE M less(D alo, D ahi, D blo, D bhi) {
 GONIO_INLINE M mask_and(M a, M b) { return _mm_and_ps(a, b); }
 GONIO_INLINE unsigned bits(M m) { return static_cast<unsigned>(_mm_movemask_ps(m)); }
 
+// A byte a lane: `value` where the lane's bit is set, else 0.
+GONIO_INLINE void store_bytes(std::uint8_t* to, unsigned bits, std::uint8_t value) {
+  for (int i = 0; i < kWidth; ++i)
+    to[i] = static_cast<std::uint8_t>((0U - (bits >> i & 1U)) & value);
+}
+
 GONIO_INLINE F select(M m, F a, F b) { return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b)); }
 GONIO_INLINE D select_half(D m, D a, D b) {
   return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b));
@@ -131,6 +140,12 @@ GONIO_INLINE void select(M m, D& lo, D& hi, D blo, D bhi) {
 GONIO_INLINE F gather(const float* table, D lo, D hi) {
   return _mm_setr_ps(table[static_cast<int>(lo[0])], table[static_cast<int>(lo[1])],
                      table[static_cast<int>(hi[0])], table[static_cast<int>(hi[1])]);
+}
+
+// One of the 16 numbers at `table`, lane by lane; the index is a whole number held as a float.
+GONIO_INLINE F pick16(const float* table, F index) {
+  return _mm_setr_ps(table[static_cast<int>(index[0])], table[static_cast<int>(index[1])],
+                     table[static_cast<int>(index[2])], table[static_cast<int>(index[3])]);
 }
 
 // The products of the lower 32 bits of 64-bit lanes.

@@ -12,7 +12,8 @@
 //   exact_dot(a, b)    the product of two vectors as given, where it nearly vanishes, too
 //   weighted_log2_1p(w, s, c, a)   (w/s) log2(1 + s/c), a = s + c
 //   angle(y, x)        of (x, y), both at least 0
-//   times_exp2(a, x)   a 2^x, without underflow before the product
+//   exp2(x), times_exp2(a, p)      p = 2^x, x <= 0, as a Power; a p, without underflow before the
+//                                  product
 //   kQuick             whether errors of 1e-14 are small enough to save work for
 #pragma once
 
@@ -29,6 +30,7 @@ struct Fast {
   using Real = Float;
   using Mask = GONIO_ISA::Mask;
   using Out = float;
+  using Power = QuickPower;
   static constexpr bool kQuick = true;
 
   static GONIO_INLINE Real largest() { return Real(3.4028234663852886e38); }
@@ -50,8 +52,9 @@ struct Fast {
   static GONIO_INLINE Wide weighted_log2_1p(Wide w, Wide s, Wide c, Wide a) {
     return GONIO_ISA::weighted_log2_1p(w, s, c, a);
   }
-  static GONIO_INLINE Real times_exp2(Real amplitude, Wide x) {
-    return GONIO_ISA::times_exp2(amplitude, x);
+  static GONIO_INLINE Power exp2(Wide x) { return quick_exp2(x); }
+  static GONIO_INLINE Real times_exp2(Real amplitude, Power power) {
+    return GONIO_ISA::times_exp2(amplitude, power);
   }
 };
 
@@ -63,6 +66,7 @@ struct Reference {
   using Real = Wide;
   using Mask = GONIO_ISA::Mask;
   using Out = double;
+  using Power = Wide;  // x
   static constexpr bool kQuick = false;
 
   static GONIO_INLINE Real largest() { return Real(1.7976931348623157e308); }
@@ -76,8 +80,9 @@ struct Reference {
   static GONIO_INLINE Wide weighted_log2_1p(Wide w, Wide s, Wide c, Wide a) {
     return GONIO_ISA::weighted_log2_1p(w, s, c, a);
   }
-  static GONIO_INLINE Real times_exp2(Real amplitude, Wide x) {
-    return GONIO_ISA::times_exp2(amplitude, x);
+  static GONIO_INLINE Power exp2(Wide x) { return x; }
+  static GONIO_INLINE Real times_exp2(Real amplitude, Power power) {
+    return GONIO_ISA::times_exp2(amplitude, power);
   }
 };
 

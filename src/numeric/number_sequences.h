@@ -20,10 +20,11 @@ struct NumberRun {
 GONIO_INLINE void philox(std::uint64_t first, std::uint64_t key, NumberRun& run) {
   constexpr std::size_t kLanes = sizeof(raw::I) / sizeof(long long);
   const raw::I m0 = raw::broadcast(0xD2511F53LL), m1 = raw::broadcast(0xCD9E8D57LL);
+  static constexpr long long kOneAfterAnother[] = {0, 1, 2, 3, 4, 5, 6, 7};
   for (std::size_t begin = 0; begin < kNumbersAtOnce; begin += kLanes) {
-    long long counter[kLanes], out[3][kLanes];
-    for (std::size_t i = 0; i < kLanes; ++i) counter[i] = static_cast<long long>(first + begin + i);
-    raw::I x0 = raw::load(counter), x1 = raw::high_half(x0);
+    long long out[3][kLanes];
+    raw::I x0 = raw::broadcast(static_cast<long long>(first + begin)) + raw::load(kOneAfterAnother);
+    raw::I x1 = raw::high_half(x0);
     raw::I x2 = raw::broadcast(0LL), x3 = x2;
     auto k0 = static_cast<std::uint32_t>(key), k1 = static_cast<std::uint32_t>(key >> 32);
     for (int round = 0; round < 10; ++round) {

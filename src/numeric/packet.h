@@ -23,13 +23,15 @@ struct Mask {
   raw::M m;
   friend GONIO_INLINE Mask operator&(Mask a, Mask b) { return {raw::mask_and(a.m, b.m)}; }
   [[nodiscard]] GONIO_INLINE unsigned bits() const { return raw::bits(m); }  // one bit a lane
+  [[nodiscard]] GONIO_INLINE bool all() const;
 };
 
 inline constexpr unsigned kAllLanes = (1U << raw::kWidth) - 1;
+GONIO_INLINE bool Mask::all() const { return bits() == kAllLanes; }
 
 struct Float {
   raw::F v;
-  GONIO_INLINE Float() : v{} {}
+  Float() = default;
   GONIO_INLINE explicit Float(raw::F x) : v(x) {}
   // Implicit: formulas mix in numbers.
   // NOLINTNEXTLINE(google-explicit-constructor)
@@ -50,11 +52,21 @@ struct Float {
   friend GONIO_INLINE Float sum_of_products(Float a, Float b, Float c, Float d) {
     return Float(raw::multiply_add(a.v, b.v, c.v * d.v));
   }
+  // a b + c, rounded once wherever the machine can. Left to the compiler, that depends on what else
+  // a b is used for.
+  friend GONIO_INLINE Float multiply_add(Float a, Float b, Float c) {
+    return Float(raw::multiply_add(a.v, b.v, c.v));
+  }
+  friend GONIO_INLINE Float absolute(Float a) { return Float(raw::absolute(a.v)); }
   friend GONIO_INLINE Float sqrt(Float a) { return Float(raw::sqrt(a.v)); }
   friend GONIO_INLINE Float round(Float a) { return Float(raw::round(a.v)); }
   friend GONIO_INLINE Float exponent(Float a) { return Float(raw::exponent(a.v)); }
   friend GONIO_INLINE Float select(Mask m, Float a, Float b) {
     return Float(raw::select(m.m, a.v, b.v));
+  }
+  // One of 16 numbers, lane by lane; the index is a whole number.
+  friend GONIO_INLINE Float pick16(const float* table, Float index) {
+    return Float(raw::pick16(table, index.v));
   }
 };
 
@@ -63,7 +75,7 @@ enum class Exactness { quick, exact };
 template <Exactness E>
 struct Double {
   raw::D lo, hi;
-  GONIO_INLINE Double() : lo{}, hi{} {}
+  Double() = default;
   GONIO_INLINE Double(raw::D l, raw::D h) : lo(l), hi(h) {}
   // NOLINTNEXTLINE(google-explicit-constructor)
   GONIO_INLINE Double(double x) : lo(raw::broadcast(x)), hi(lo) {}
@@ -101,7 +113,10 @@ struct Double {
   friend GONIO_INLINE Double max(Double a, Double b) {
     return {raw::max(a.lo, b.lo), raw::max(a.hi, b.hi)};
   }
-  // a b + c d, as for Float.
+  // a b + c and a b + c d, as for Float.
+  friend GONIO_INLINE Double multiply_add(Double a, Double b, Double c) {
+    return {raw::multiply_add(a.lo, b.lo, c.lo), raw::multiply_add(a.hi, b.hi, c.hi)};
+  }
   friend GONIO_INLINE Double sum_of_products(Double a, Double b, Double c, Double d) {
     return {raw::multiply_add(a.lo, b.lo, c.lo * d.lo), raw::multiply_add(a.hi, b.hi, c.hi * d.hi)};
   }

@@ -65,20 +65,20 @@ GONIO_INLINE Exp2<Double<Exactness::exact>> exp2_of(Double<Exactness::exact> x) 
   return {power + power * change, (D(1) - power) - power * change};
 }
 
-// The direction at x turns, x in [0, 1): cosine and sine to 1e-6 and 2e-15, absolutely.
+// Cosine and sine of an angle, to 1e-6 and 2e-15, absolutely.
 template <class T>
 struct Turn {
   T cos, sin;
 };
 template <class T, int kSine, int kCosine>
-GONIO_INLINE Turn<T> turn_of(T x, const double (&sine)[kSine], const double (&cosine)[kCosine]) {
-  // From the sine and cosine of half the angle, seen from the opposite side: |half| <= pi/2.
-  const T half = (x - T(0.5)) * T(3.14159265358979323846), square = half * half;
-  const T s = half * polynomial(square, sine), c = polynomial(square, cosine);
-  return {T(2) * (s * s) - T(1), T(-2) * (s * c)};
+GONIO_INLINE Turn<T> half_turn_of(T x, const double (&sine)[kSine],
+                                  const double (&cosine)[kCosine]) {
+  const T angle = (x - T(0.5)) * T(3.14159265358979323846), square = angle * angle;
+  return {polynomial(square, cosine), angle * polynomial(square, sine)};
 }
+// The direction at x half turns from -90 degrees, x in [0, 1).
 template <class T>
-GONIO_INLINE Turn<T> turn(T x) {
+GONIO_INLINE Turn<T> half_turn(T x) {
   static constexpr double kSine[] = {1,
                                      -1.0 / 6,
                                      1.0 / 120,
@@ -102,15 +102,24 @@ GONIO_INLINE Turn<T> turn(T x) {
                                        -1.0 / 6402373705728000,
                                        1.0 / 2432902008176640000,
                                        -1.0 / 1124000727777607680000.};
-  return turn_of(x, kSine, kCosine);
+  return half_turn_of(x, kSine, kCosine);
 }
 template <>
-GONIO_INLINE Turn<Float> turn(Float x) {
-  static constexpr double kSine[] = {1,           -1.0 / 6,     1.0 / 120,
-                                     -1.0 / 5040, 1.0 / 362880, -1.0 / 39916800};
-  static constexpr double kCosine[] = {1,           -1.0 / 2,       1.0 / 24,       -1.0 / 720,
-                                       1.0 / 40320, -1.0 / 3628800, 1.0 / 479001600};
-  return turn_of(x, kSine, kCosine);
+GONIO_INLINE Turn<Float> half_turn(Float x) {
+  // Minimax on [-pi/2, pi/2], to 5e-9 and 5e-8.
+  static constexpr double kSine[] = {0.99999999569880902, -0.16666657947846011,
+                                     0.0083330501706717732, -0.00019809017408678004,
+                                     2.6051076353347881e-6};
+  static constexpr double kCosine[] = {0.99999995302751237, -0.49999904777792114,
+                                       0.041663573160188248, -0.001385362953617557,
+                                       2.3152416659997793e-5};
+  return half_turn_of(x, kSine, kCosine);
+}
+// The direction at x turns, x in [0, 1), from that of half the angle seen from the opposite side.
+template <class T>
+GONIO_INLINE Turn<T> turn(T x) {
+  const Turn<T> half = half_turn(x);
+  return {T(2) * (half.sin * half.sin) - T(1), T(-2) * (half.sin * half.cos)};
 }
 
 }  // namespace gonio::GONIO_ISA

@@ -42,7 +42,7 @@ struct Mirror {
   typename N::Wide cos, difference;  // wr.wo; n.wi - n.wo
 
   explicit GONIO_INLINE Mirror(const Geometry<N>& g)
-      : cos(g.mirror_cosine()), difference(g.wi.z - g.wo.z) {}
+      : cos(g.mirror_cosine()), difference(g.cosine_difference()) {}
   GONIO_INLINE Mirror() = default;
 
   [[nodiscard]] GONIO_INLINE typename N::Wide one_minus_cos(const HalfVector<N>& half) const {

@@ -21,6 +21,18 @@ namespace gonio {
 // Lengths within this of 1 are corrected; beyond, a direction is refused.
 inline constexpr double kLengthTolerance = 1e-3;
 
+// |k|^2 - 1 without losing the small difference.
+template <class T>
+GONIO_INLINE T length_error(const Vec3<T>& k) {
+  return (k.z * k.z - T(1)) + k.x * k.x + k.y * k.y;
+}
+// Whether e = |k|^2 - 1 lies between (1 - tol)^2 - 1 and (1 + tol)^2 - 1; false for NaN.
+template <class T>
+GONIO_INLINE auto near_unit(const T& e) {
+  const T from_centre = e - T(kLengthTolerance * kLengthTolerance);
+  return from_centre * from_centre < T(4 * kLengthTolerance * kLengthTolerance);
+}
+
 // H = wi + wo, and what follows from it alone.
 template <class N>
 struct HalfVector {
@@ -74,7 +86,8 @@ class Geometry {
     }
     given_i_ = wide_i;
     given_o_ = wide_o;
-    inverse_lengths_ = inverse_i * inverse_o;
+    inverse_i_ = inverse_i;
+    inverse_o_ = inverse_o;
     const Real error_i = length_error(given_i), error_o = length_error(given_o);
     real_wi = N::inverse_length(error_i) * given_i;
     real_wo = N::inverse_length(error_o) * given_o;
@@ -87,24 +100,16 @@ class Geometry {
   // The cosine between wo and the mirror image of wi, to its last digits where it is nearly 0, too.
   GONIO_INLINE Wide mirror_cosine() const {
     const Vec3<Wide> mirrored{-given_i_.x, -given_i_.y, given_i_.z};
-    return inverse_lengths_ * N::exact_dot(mirrored, given_o_);
+    return inverse_i_ * inverse_o_ * N::exact_dot(mirrored, given_o_);
+  }
+  // n.wi - n.wo.
+  GONIO_INLINE Wide cosine_difference() const {
+    return sum_of_products(inverse_i_, given_i_.z, -inverse_o_, given_o_.z);
   }
 
  private:
   Vec3<Wide> given_i_, given_o_;
-  Wide inverse_lengths_;  // the product of both
-
-  // |k|^2 - 1 without losing the small difference.
-  template <class T>
-  static GONIO_INLINE T length_error(const Vec3<T>& k) {
-    return (k.z * k.z - T(1)) + k.x * k.x + k.y * k.y;
-  }
-
-  // Whether e = |k|^2 - 1 lies between (1 - tol)^2 - 1 and (1 + tol)^2 - 1; false for NaN.
-  static GONIO_INLINE typename N::Mask near_unit(Real e) {
-    const Real from_centre = e - Real(kLengthTolerance * kLengthTolerance);
-    return from_centre * from_centre < Real(4 * kLengthTolerance * kLengthTolerance);
-  }
+  Wide inverse_i_, inverse_o_;  // of the lengths as given
 };
 
 }  // namespace gonio

@@ -26,38 +26,73 @@ struct Colatitude {
   T sin2, cos2;
 };
 
+// 1 - 2^-x is 1 for larger x, as rounded.
+template <class N>
+inline constexpr double kNarrow = N::kQuick ? 26 : 55;
+
 template <class T>
 GONIO_INLINE T absolute(const T& x) {
   return max(x, -x);
 }
 
 // The largest colatitude on the light's side; with sine and cosine exchanged, that on the other.
-// `toward` is sin(theta_i) cos(phi - phi_i) and z cos(theta_i), up to a common factor.
+// `toward` is sin(theta_i) cos(phi - phi_i) and z2 the square of cos(theta_i), up to a common
+// factor and its square.
 template <class T>
-GONIO_INLINE Colatitude<T> reach(const T& toward, const T& z) {
+GONIO_INLINE Colatitude<T> reach(const T& toward, const T& z2) {
   using std::sqrt;
-  const T a = absolute(toward), r = sqrt(a * a + z * z), sum = r + a;
+  const T a = absolute(toward), r = sqrt(a * a + z2), sum = r + a;
   const T inverse = T(0.5) / max(r * sum, T(1e-37));
-  return {sum * sum * inverse, z * z * inverse};
+  return {sum * sum * inverse, z2 * inverse};
 }
 
-// The direction that h, a unit vector, reflects k to.
+// A unit vector in the surface.
 template <class T>
-GONIO_INLINE Vec3<T> reflected(const Vec3<T>& k, const Vec3<T>& h) {
-  return combine(T(2) * dot(k, h), h, T(-1), k);
+struct Tangent {
+  T x, y;
+};
+
+template <class T>
+GONIO_INLINE Tangent<T> unit_tangent(const T& x, const T& y) {
+  using std::sqrt;
+  const T inverse = T(1) / sqrt(sum_of_products(x, x, y, y));
+  return {x * inverse, y * inverse};
 }
 
-// Profiles of lobes: the mass within and beyond a colatitude, and the colatitude that holds a given
-// part of the mass. A power of the cosine, the mass beyond theta being cos(theta)^(2 half_width):
+// The direction that a half-vector reflects k to: the one at this colatitude towards `axis` or, for
+// side = -1, away from it. `toward` is k's component along the axis.
+template <class T>
+GONIO_INLINE Vec3<T> reflected(const Vec3<T>& k, const Tangent<T>& axis, const T& toward,
+                               const Colatitude<T>& h, const T& side) {
+  using std::sqrt;
+  const T slant = side * sqrt(h.sin2 * h.cos2);
+  const T twice = T(2) * sum_of_products(toward, h.sin2, k.z, slant);
+  return {twice * axis.x - k.x, twice * axis.y - k.y,
+          sum_of_products(T(2) * toward, slant, k.z, h.cos2 - h.sin2)};
+}
+
+// Profiles of lobes: the mass within a colatitude, and the colatitude within which there is a given
+// part of the mass. `mass_beyond_45` is for colatitudes of more than 45 degrees, where a narrow
+// lobe has all its mass within, to the last digit. A power of the cosine, the mass beyond theta
+// being cos(theta)^(2 half_width):
 template <class N>
 struct PowerProfile {
   using Real = typename N::Real;
-  Real half_width;
-  [[nodiscard]] GONIO_INLINE auto mass(const Colatitude<Real>& c) const {
-    return exp2_of(half_width * log2_of_rest(c.sin2, c.cos2));
+  Real half_width, inverse;
+  explicit GONIO_INLINE PowerProfile(double width) : half_width(width), inverse(1 / width) {}
+  explicit GONIO_INLINE PowerProfile(const Real& width)
+      : half_width(width), inverse(Real(1) / width) {}
+  GONIO_INLINE PowerProfile(const Real& width, const Real& one_over)
+      : half_width(width), inverse(one_over) {}
+
+  [[nodiscard]] GONIO_INLINE Real mass(const Colatitude<Real>& c) const {
+    return exp2_of(half_width * log2_of_rest(c.sin2, c.cos2)).one_minus;
+  }
+  [[nodiscard]] GONIO_INLINE Real mass_beyond_45(const Colatitude<Real>& c) const {
+    return (Real(kNarrow<N>) < half_width).all() ? Real(1) : mass(c);
   }
   [[nodiscard]] GONIO_INLINE Colatitude<Real> at(const Real& part) const {
-    const auto cos2 = exp2_of(log2_one_minus(part) / half_width);
+    const auto cos2 = exp2_of(log2_one_minus(part) * inverse);
     return {cos2.one_minus, cos2.power};
   }
 };
@@ -66,8 +101,11 @@ template <class N>
 struct SlopeProfile {
   using Real = typename N::Real;
   Real rate;
-  [[nodiscard]] GONIO_INLINE auto mass(const Colatitude<Real>& c) const {
-    return exp2_of(rate * c.sin2 / max(c.cos2, Real(1e-18)));
+  [[nodiscard]] GONIO_INLINE Real mass(const Colatitude<Real>& c) const {
+    return exp2_of(rate * c.sin2 / max(c.cos2, Real(1e-18))).one_minus;
+  }
+  [[nodiscard]] GONIO_INLINE Real mass_beyond_45(const Colatitude<Real>& c) const {
+    return (rate < Real(-kNarrow<N>)).all() ? Real(1) : mass(c);
   }
   [[nodiscard]] GONIO_INLINE Colatitude<Real> at(const Real& part) const {
     const Real tan2 = log2_one_minus(part) / rate, cos2 = Real(1) / (Real(1) + tan2);

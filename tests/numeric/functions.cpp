@@ -1,7 +1,7 @@
 // Compiled once per instruction set, as the kernels are.
 #include "numeric/functions.h"
 
-#include "numeric/elementary.h"
+#include "numeric/number.h"
 #include "numeric/warp.h"
 
 namespace gonio::GONIO_ISA {
@@ -18,10 +18,12 @@ void weighted_log2(const double* w, const double* s, const double* c, std::size_
   }
 }
 
-template <class Amplitude, class D, class Number>
-void exp2(const Number* amplitude, const double* x, std::size_t n, Number* out) {
-  for (std::size_t i = 0; i < n; i += raw::kWidth)
-    times_exp2(Amplitude::load(amplitude + i), D::load(x + i)).store(out + i);
+template <class N>
+void exp2(const typename N::Out* amplitude, const double* x, std::size_t n, typename N::Out* out) {
+  for (std::size_t i = 0; i < n; i += raw::kWidth) {
+    const auto power = N::exp2(N::Wide::load(x + i));
+    N::times_exp2(N::Real::load(amplitude + i), power).store(out + i);
+  }
 }
 
 template <class D>
@@ -81,8 +83,8 @@ void turns(const Number* x, std::size_t n, Number* cos, Number* sin) {
 extern const testing::Functions kFunctions;  // NOLINT(readability-redundant-declaration): linkage
 const testing::Functions kFunctions{&weighted_log2<Quick>,
                                     &weighted_log2<Exact>,
-                                    &exp2<Float, Quick>,
-                                    &exp2<Exact, Exact>,
+                                    &exp2<Fast>,
+                                    &exp2<Reference>,
                                     &angle<Quick>,
                                     &angle<Exact>,
                                     &divide,
