@@ -40,9 +40,15 @@ Compressed compress(const Eigen::MatrixXd& H, const Eigen::VectorXd& g) {
 // The whole problem as one residual block over its free parameters.
 class Block : public ceres::CostFunction {
  public:
-  Block(const Problem& problem, std::span<const double> start, std::vector<std::size_t> free,
-        const Stop& stop)
-      : problem_(problem), all_(start.begin(), start.end()), free_(std::move(free)), stop_(stop) {
+  // `begin`: the equations at `start`.
+  Block(const Problem& problem, std::span<const double> start, Equations begin,
+        std::vector<std::size_t> free, const Stop& stop)
+      : problem_(problem),
+        all_(start.begin(), start.end()),
+        last_(all_),
+        equations_(std::move(begin)),
+        free_(std::move(free)),
+        stop_(stop) {
     set_num_residuals(static_cast<int>(free_.size()) + 1);
     mutable_parameter_block_sizes()->push_back(static_cast<int>(free_.size()));
   }
@@ -54,12 +60,13 @@ class Block : public ceres::CostFunction {
     Eigen::Map<Eigen::VectorXd> r(residuals, n + 1);
     r.setZero();
     if (jacobians == nullptr || jacobians[0] == nullptr) {
-      if (all_ != last_) cost_ = problem_.cost(all_, false, stop_), last_ = all_;
+      if (all_ != tried_) cost_ = problem_.cost(all_, false, stop_), tried_ = all_;
       r[n] = std::sqrt(2 * cost_);
       return std::isfinite(cost_);
     }
-    const Equations e = problem_.equations(all_, stop_);
-    cost_ = e.cost, last_ = all_;
+    if (all_ != last_) equations_ = problem_.equations(all_, stop_), last_ = all_;
+    const Equations& e = equations_;
+    cost_ = e.cost, tried_ = all_;
     if (!std::isfinite(e.cost) || !e.matrix.allFinite()) return false;
     const Compressed small = compress(e.matrix(free_, free_), e.gradient(free_));
     Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> J(
@@ -73,8 +80,9 @@ class Block : public ceres::CostFunction {
 
  private:
   const Problem& problem_;
-  mutable std::vector<double> all_, last_;
-  mutable double cost_ = 0;
+  mutable std::vector<double> all_, last_, tried_;
+  mutable Equations equations_;  // at last_
+  mutable double cost_ = 0;      // at tried_
   std::vector<std::size_t> free_;
   const Stop& stop_;
 };
@@ -123,20 +131,38 @@ Bounds bounds_of(const Form& form, int channels) {
   return bounds;
 }
 
+namespace {
+
+// Which parameters move: not those that a bound holds at `x`, where the gradient is `slope`. A step
+// over all that is cut there would be short and askew for the others.
+std::vector<std::size_t> moving(std::span<const double> x, const Eigen::VectorXd& slope,
+                                const Bounds& bounds, const std::vector<bool>& free) {
+  std::vector<std::size_t> moves;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double outward = slope[static_cast<Eigen::Index>(i)];
+    const bool held =
+        (x[i] <= bounds.lower[i] && outward > 0) || (x[i] >= bounds.upper[i] && outward < 0);
+    if (!held && (free.empty() || free[i])) moves.push_back(i);
+  }
+  return moves;
+}
+
 Minimum minimise(const Problem& problem, std::span<const double> start,
                  const MinimiseOptions& options) {
-  std::vector<std::size_t> free;
-  for (std::size_t i = 0; i < start.size(); ++i) {
-    if (options.free.empty() || options.free[i]) free.push_back(i);
-  }
   Minimum result{{start.begin(), start.end()}, 0, 0, true};
-  if (free.empty()) return result;
   const Bounds bounds = bounds_of(problem.form(), problem.data().channels);
+  for (std::size_t i = 0; i < start.size(); ++i)
+    result.parameters[i] = std::clamp(start[i], bounds.lower[i], bounds.upper[i]);
+  Equations begin = problem.equations(result.parameters, options.stop);
+  result.cost = begin.cost;
+  const auto free = moving(result.parameters, begin.gradient, bounds, options.free);
+  if (free.empty()) return result;
   std::vector<double> x;
-  for (const std::size_t i : free)
-    x.push_back(std::clamp(start[i], bounds.lower[i], bounds.upper[i]));
+  for (const std::size_t i : free) x.push_back(result.parameters[i]);
   ceres::Problem ceres_problem;
-  ceres_problem.AddResidualBlock(new Block(problem, start, free, options.stop), nullptr, x.data());
+  ceres_problem.AddResidualBlock(
+      new Block(problem, result.parameters, std::move(begin), free, options.stop), nullptr,
+      x.data());
   for (std::size_t i = 0; i < free.size(); ++i) {
     const int at = static_cast<int>(i);
     ceres_problem.SetParameterLowerBound(x.data(), at, bounds.lower[free[i]]);
@@ -155,25 +181,6 @@ Minimum minimise(const Problem& problem, std::span<const double> start,
   return result;
 }
 
-namespace {
-
-// Holds what a bound holds at `x`: a step over all parameters that is cut there would be short and
-// askew for the others.
-std::vector<bool> not_held(const Problem& problem, std::span<const double> x,
-                           const MinimiseOptions& options) {
-  std::vector<bool> free = options.free;
-  if (free.empty()) free.assign(x.size(), true);
-  const Bounds bounds = bounds_of(problem.form(), problem.data().channels);
-  const Equations e = problem.equations(x, options.stop);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double slope = e.gradient[static_cast<Eigen::Index>(i)];
-    const bool held =
-        (x[i] <= bounds.lower[i] && slope > 0) || (x[i] >= bounds.upper[i] && slope < 0);
-    if (held) free[i] = false;
-  }
-  return free;
-}
-
 }  // namespace
 
 Minimum minimise_by_stages(Problem& problem, std::span<const double> start,
@@ -184,9 +191,7 @@ Minimum minimise_by_stages(Problem& problem, std::span<const double> start,
     if (problem.loss().absolute())
       problem.set_smooth(
           std::max(part * problem.mean_residual(best.parameters, options.stop), 1e-12));
-    MinimiseOptions stage = options;
-    stage.free = not_held(problem, best.parameters, options);
-    Minimum next = minimise(problem, best.parameters, stage);
+    Minimum next = minimise(problem, best.parameters, options);
     next.iterations += best.iterations;
     best = std::move(next);
     if (!problem.loss().absolute()) break;

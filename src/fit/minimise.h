@@ -30,18 +30,14 @@ struct Minimum {
   bool converged = false;
 };
 
-// `lower` and `upper` bound all parameters, in the problem's own scale.
-Minimum minimise(const Problem& problem, std::span<const double> start,
-                 const MinimiseOptions& options);
-
 // The bounds of all parameters of a problem: shapes in search scale, then coefficients.
 struct Bounds {
   std::vector<double> lower, upper;
 };
 Bounds bounds_of(const Form& form, int channels);
 
-// L1 by stages: the smoothing is each of these parts of the mean residual in turn. Other losses
-// take one stage.
+// From `start`, brought within the bounds. L1 by stages: the smoothing is each of these parts of
+// the mean residual in turn. Other losses take one stage.
 Minimum minimise_by_stages(Problem& problem, std::span<const double> start,
                            std::span<const double> smooth_parts, const MinimiseOptions& options);
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "fit/arrays.h"
+#include "fit/array_kernels.h"
 
 namespace gonio::fit {
 namespace {
@@ -74,37 +74,21 @@ void Problem::reflectance(const Basis& basis, std::size_t count,
   }
 }
 
-// Fills residual and slope, and returns the weighted sum of losses.
+// Fills residual, slope and root, and returns the weighted sum of losses.
 double Problem::residuals(Tile tile, int channel, const Loss& loss, Rows& rows) const {
   const auto n = static_cast<Eigen::Index>(tile.count);
-  const Eigen::Map<const Eigen::ArrayXd> cosine(&cosines_[tile.first], n);
-  const Eigen::Map<const Eigen::ArrayXd> weight(&weights_[tile.first], n);
-  const Eigen::Map<const Eigen::ArrayXd> measured(&this->measured(channel)[tile.first], n);
-  if (loss.objective == Objective::log) {
-    rows.residual = (1 + rows.f * cosine).log() - measured;
-    rows.slope = cosine / (1 + rows.f * cosine);
-  } else if (loss.objective == Objective::cbrt) {
-    rows.residual = cube_root(rows.f * cosine);
-    rows.slope = cosine / (3 * rows.residual.square());
-    rows.residual -= measured;
-  } else {
-    rows.residual = rows.f * cosine - measured;
-    rows.slope = cosine;
-  }
-  if (loss.absolute()) {
-    rows.root = (rows.residual.square() + loss.smooth * loss.smooth).sqrt();
-    const double sum = (weight * rows.root).sum();
-    rows.root = (weight / rows.root.max(1e-300)).sqrt();
-    return sum;
-  }
-  if (loss.objective == Objective::huber) {
-    const Eigen::ArrayXd size = rows.residual.abs();
-    const Eigen::ArrayXd inner = size.min(loss.threshold);
-    rows.root = (weight * inner / size.max(1e-300)).sqrt();
-    return (weight * inner * (size - 0.5 * inner)).sum();
-  }
-  rows.root = weight.sqrt();
-  return 0.5 * (weight * rows.residual.square()).sum();
+  for (Eigen::ArrayXd* result : {&rows.residual, &rows.slope, &rows.root}) result->resize(n);
+  const ResidualRun run{tile.count,
+                        rows.f.data(),
+                        &cosines_[tile.first],
+                        &weights_[tile.first],
+                        &measured(channel)[tile.first],
+                        loss.smooth,
+                        loss.threshold,
+                        rows.residual.data(),
+                        rows.slope.data(),
+                        rows.root.data()};
+  return array_kernels().residuals[static_cast<std::size_t>(loss.objective)](run);
 }
 
 void Problem::fill_jacobian(const Basis& basis, std::size_t count,

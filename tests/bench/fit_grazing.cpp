@@ -71,7 +71,8 @@ fit::Data weighed(const Result<MeasuredPairs>& pairs) {
 bool print_grazing() {
   std::printf("L1 at theta <= 80 and > 80 degrees, of fits of <= 80, > 80, both\n");
   for (const char* material : testing::kFitMaterials) print_by_zone(material, load(material));
-  std::printf("\nWhich lobe: L1 in the zone that was fitted of phong, blinn_phong and phong_mix;\n");
+  std::printf(
+      "\nWhich lobe: L1 in the zone that was fitted of phong, blinn_phong and phong_mix;\n");
   std::printf("mix and its range within 1 %% of the best; which of the two is better by 2 %%\n");
   for (const char* material : testing::kFitMaterials) {
     const fit::Data data = load(material);

@@ -13,7 +13,7 @@ constexpr double kAgree = 1.01;
 // The ends of one start by each procedure.
 struct Ends {
   double automatic, staged;
-  bool alone;     // auto's own descent from the guess: with the best of its starts?
+  bool alone;      // auto's own descent from the guess: with the best of its starts?
   double seconds;  // auto's
 };
 
@@ -62,7 +62,8 @@ bool print_independence(int starts) {
   std::printf("L1 on 20,000 pairs below 80 degrees. Ends within 1 %% of the best: auto with the\n");
   std::printf("random start as its guess; that guess's descent alone; the three stages as\n");
   std::printf("printed. *: noise of 10 %%, 2 %% invalid. worst: of auto, above the best\n");
-  std::printf("%-21s %-14s best     worst    auto  alone staged         CPU\n", "material", "model");
+  std::printf("%-21s %-14s best     worst    auto  alone staged         CPU\n", "material",
+              "model");
   Counts sums;
   for (std::size_t set = 0; set < testing::kFitMaterials.size() + 4; ++set) {
     const bool noisy = set >= testing::kFitMaterials.size();

@@ -64,7 +64,8 @@ double print_row(std::vector<Cost> costs) {
 bool print_times(int repetitions) {
   std::vector<fit::Data> all;
   for (const char* material : testing::kFitMaterials) all.push_back(load(material));
-  std::printf("CPU: median and worst of eight materials; in brackets the worst in evaluations of\n");
+  std::printf(
+      "CPU: median and worst of eight materials; in brackets the worst in evaluations of\n");
   std::printf("the pairs. %zu pairs, best of %d\n%-14s", kPairs, repetitions, "");
   for (const fit::Objective objective : kObjectives)
     std::printf("  %23s", std::string(name_of(objective)).c_str());
