@@ -1,9 +1,4 @@
 // Levenberg and Marquardt's minimisation within bounds, by Ceres.
-//
-// Ceres is given one block of as many residuals as there are parameters, and one more: a factor R
-// of the normal matrix (R'R = J'WJ), the residuals that have the same gradient, and what is left of
-// the cost. It takes the very steps that it would take on the whole, and neither it nor we ever
-// hold the Jacobian of a million pairs.
 #pragma once
 
 #include <span>
