@@ -2,9 +2,9 @@
 // a scan of the few shape parameters with all colours solved exactly, then descents from its most
 // distinct nodes, found it in all of 2,400.
 //
-// The caller's guess is one more start. It cannot harm: what the scan's starts lead to does not
-// depend on it, and it is taken only where its own end is better. Nor is it ignored: its descent
-// goes on with more pairs like the best of the others, unless it came to where one of them is.
+// The caller's guess is one more start. It cannot harm: what the others lead to does not depend on
+// it, and it is taken only where its own end is better. Nor is it ignored: its descent goes on with
+// more pairs like the best of the others, unless it came to where one of them is.
 #include <algorithm>
 #include <array>
 
@@ -30,11 +30,13 @@ struct Candidate {
   bool given;  // from the caller's guess?
 };
 
-// Descends on the scan's pairs from the guess and the nodes.
+// Descends on the scan's pairs from the nodes, the models' own start and the guess.
 std::vector<Candidate> descend(const SearchInput& input, const Form& form, Problem& problem,
                                std::vector<Node> nodes, Search& search) {
   const double begin = cpu_seconds();
-  nodes.push_back(solve_node(problem, guess_of(form), kScanPasses));
+  nodes.push_back(solve_node(problem, start_of(form), kScanPasses));
+  const std::size_t own = nodes.size();
+  if (has_guess(form)) nodes.push_back(solve_node(problem, guess_of(form), kScanPasses));
   std::vector<Candidate> ends;
   double best = 1e300;
   int iterations = 0;
@@ -44,7 +46,7 @@ std::vector<Candidate> descend(const SearchInput& input, const Form& form, Probl
     const Minimum end = minimise_by_stages(problem, nodes[i].parameters, kCoarse, options);
     const double objective = problem.cost(end.parameters, true, input.watch.stop);
     iterations += end.iterations;
-    search.starts.push_back({i + 1 == nodes.size(), natural(form, nodes[i].parameters),
+    search.starts.push_back({i >= own, natural(form, nodes[i].parameters),
                              natural(form, end.parameters), objective, false});
     ends.push_back({end.parameters, objective, search.starts.back().given});
   }
@@ -72,7 +74,7 @@ bool same(const Form& form, const Candidate& a, const Candidate& b) {
   return true;
 }
 
-// The best distinct ends of the scan's nodes and, last, the guess's if it is another.
+// The best distinct ends of all others and, last, the guess's if it is another.
 std::vector<Candidate> finalists(const Form& form, const std::vector<Candidate>& sorted) {
   std::vector<Candidate> chosen;
   const auto choose = [&](bool given, std::size_t most) {

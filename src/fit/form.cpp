@@ -85,7 +85,6 @@ void add_shapes(const NamedLobe& named, const CheckedLobe& lobe,
   const bool dielectric = fresnel != words.end() && fresnel->second == "dielectric";
   for (const Parameter& p : lobe.model->parameters) {
     if (p.kind == Kind::word || is_colour(p) || !is_used(p, words)) continue;
-    const bool given = named.spec->parameters.contains(p.name);
     ShapeParameter* partner = options.anisotropic ? nullptr : tied_to(p.name, form.shapes, index);
     if (partner != nullptr) {
       partner->names.emplace_back(p.name);
@@ -94,9 +93,10 @@ void add_shapes(const NamedLobe& named, const CheckedLobe& lobe,
     ShapeParameter shape = shape_of(p, dielectric);
     shape.lobe = index;
     shape.field = named.prefix + "parameters." + std::string(p.name);
-    shape.given = given;
-    if (given) shape.start = mean(lobe.values.all().find(p.name)->second);
-    shape.start = std::clamp(shape.start, shape.lower, shape.upper);
+    if (named.spec->parameters.contains(p.name)) {
+      const double given = mean(lobe.values.all().find(p.name)->second);
+      shape.guess = std::clamp(given, shape.lower, shape.upper);
+    }
     form.shapes.push_back(std::move(shape));
   }
 }

@@ -1,5 +1,6 @@
 #include "fit/shape.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "models/description.h"
@@ -26,7 +27,6 @@ ShapeParameter shape_of(const Parameter& p, bool dielectric) {
   shape.names = {std::string(p.name)};
   shape.lower = p.lower;
   shape.upper = p.upper;
-  shape.start = p.start;
   shape.scale.logarithmic = p.scale == Scale::logarithmic;
   if (shape.scale.logarithmic && p.lower <= 0) shape.scale.offset = -kLogOffset;
   shape.scan_lower = p.lower;
@@ -45,6 +45,7 @@ ShapeParameter shape_of(const Parameter& p, bool dielectric) {
     shape.scan_lower = 0;
     shape.scan_upper = 10;
   }
+  shape.start = std::clamp(p.start, shape.lower, shape.upper);
   return shape;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,12 @@ struct ShapeParameter {
   std::vector<std::string> names;  // one, or two that are held equal (alpha_x and alpha_y)
   std::string field;               // as errors name it, e.g. "specular[0].parameters.m"
   SearchScale scale;
-  double lower, upper, start;     // of the parameter
+  double lower, upper, start;     // of the parameter, as the model's table has them
   double scan_lower, scan_upper;  // where a scan looks
-  bool given = false;             // is `start` the caller's?
+  std::optional<double> guess;    // the caller's
 };
 
-// As the model's table has it; lobe, field and given are the form's to fill in. `dielectric`: an
+// As the model's table has it; lobe, field and guess are the form's to fill in. `dielectric`: an
 // index of refraction is that of one.
 ShapeParameter shape_of(const Parameter& p, bool dielectric);
 

@@ -30,17 +30,6 @@ std::string field_of(const Form& form, std::size_t parameter) {
   return {};
 }
 
-// The inverse of a positive semidefinite matrix; directions that it does not see get the variance
-// of the least that rounding lets it see.
-Eigen::MatrixXd inverse(const Eigen::MatrixXd& H) {
-  const Eigen::VectorXd scale = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * H *
-                                                             scale.asDiagonal());
-  const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(1e-10).cwiseInverse();
-  return scale.asDiagonal() * eigen.eigenvectors() * values.asDiagonal() *
-         eigen.eigenvectors().transpose() * scale.asDiagonal();
-}
-
 // Directions of nearly no curvature, by the fields that take part. `H` is of the parameters `free`.
 std::vector<Indistinct> unseen(const Form& form, const Eigen::MatrixXd& H,
                                const std::vector<std::size_t>& free) {
