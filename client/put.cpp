@@ -95,7 +95,8 @@ Result<PutReport> report_of(grpc::ByteBuffer& bytes, const std::string& peer) {
   if (!grpc::SerializationTraits<v1::PutMaterialResponse>::Deserialize(&bytes, &response).ok())
     return Error{ErrorCode::internal, peer + " sent an answer that cannot be read", {}, {}, {}};
   PutReport report;
-  report.place = response.place() == v1::MATERIAL_PLACE_FOLDER ? PutPlace::folder : PutPlace::memory;
+  report.place =
+      response.place() == v1::MATERIAL_PLACE_FOLDER ? PutPlace::folder : PutPlace::memory;
   report.cells = response.cells();
   report.invalid_cells = response.invalid_cells();
   report.existed = response.existed();

@@ -34,9 +34,10 @@ void describe_service(CLI::App& app, gonio::ServerOptions& server) {
          "-l,--listen", server.addresses,
          "Where to listen: host:port (0 takes a free port) or unix:/path; several are allowed")
       ->capture_default_str();
-  app.add_option("-m,--materials", server.materials,
-                 "Serve every material .json and MERL .binary of this folder under its name; if it can "
-                 "be written to, materials that clients put go there, else into memory")
+  app.add_option(
+         "-m,--materials", server.materials,
+         "Serve every material .json and MERL .binary of this folder under its name; if it can "
+         "be written to, materials that clients put go there, else into memory")
       ->type_name("DIR");
   app.add_option("-t,--threads", server.threads, "Compute threads; 0: one per processor")
       ->check(CLI::Range(0, 1024))
@@ -57,8 +58,9 @@ void describe_limits(CLI::App& app, Arguments& arguments) {
                  "at least --max-message-mb")
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
-  app.add_option("--put-quota-mb", arguments.put_quota_mb,
-                 "What materials that clients put may hold, all together, in MiB; 0: none are taken")
+  app.add_option(
+         "--put-quota-mb", arguments.put_quota_mb,
+         "What materials that clients put may hold, all together, in MiB; 0: none are taken")
       ->check(CLI::Range(0, 1 << 20))
       ->capture_default_str();
   app.add_option(

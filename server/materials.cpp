@@ -136,14 +136,16 @@ std::vector<std::string> Materials::names() const {
 Result<PreparedMaterial> Materials::resolve(const std::optional<std::string>& bytes) const {
   if (!bytes) return build({});
   if (auto known = cache_->find(*bytes)) return *known;
+  if (auto known = local_files_->find(*bytes)) return *known;
   const auto fit = wire::check_material_size(bytes->size());
   if (!fit) return fit.error();
   v1::Material material;
   if (!material.ParseFromString(*bytes)) {
     return bad_value("material", "not a " + material.GetTypeName(), "the bytes of one");
   }
+  if (find_file_ && material.model() == kMeasuredModel) return build_local(material, *bytes);
   auto built = build(material);
-  if (built && !(find_file_ && material.model() == kMeasuredModel)) cache_->keep(*bytes, *built);
+  if (built) cache_->keep(*bytes, *built);
   return built;
 }
 
@@ -163,6 +165,17 @@ Result<PreparedMaterial> Materials::build(const v1::Material& material) const {
   return bad_value("material.name", "\"" + material.name() + "\"",
                    "a stored material, such as: " + near_names(material.name(), names()),
                    ErrorCode::not_found);
+}
+
+Result<PreparedMaterial> Materials::build_local(const v1::Material& material,
+                                                const std::string& bytes) const {
+  const auto& fields = material.parameters().fields();
+  const auto file = fields.find("file");
+  const auto state =
+      file == fields.end() ? std::nullopt : FileState::of(file->second.string_value());
+  auto built = build(material);
+  if (built && state) local_files_->keep(bytes, *state, *built);
+  return built;
 }
 
 const Materials::Stored* Materials::find(std::string_view name) const {

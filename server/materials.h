@@ -20,6 +20,7 @@
 #include "engine/material.h"
 #include "gonio/v1/material.pb.h"
 #include "server/build_material.h"
+#include "server/local_files.h"
 #include "server/material_cache.h"
 #include "wire/sha256.h"
 
@@ -67,6 +68,9 @@ class Materials {
 
  private:
   [[nodiscard]] Result<PreparedMaterial> build(const v1::Material& material) const;
+  // The same of a file of this machine.
+  [[nodiscard]] Result<PreparedMaterial> build_local(const v1::Material& material,
+                                                     const std::string& bytes) const;
   Outcome add(const std::filesystem::path& folder, const std::filesystem::path& file);
 
   struct Stored {
@@ -91,6 +95,7 @@ class Materials {
   // Stored materials never change, so that their names can be kept as well; files of this machine
   // may change.
   std::unique_ptr<MaterialCache> cache_ = std::make_unique<MaterialCache>();
+  std::unique_ptr<LocalFiles> local_files_ = std::make_unique<LocalFiles>();
 };
 
 }  // namespace gonio

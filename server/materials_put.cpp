@@ -10,7 +10,8 @@
 namespace gonio {
 namespace {
 
-constexpr std::size_t kTableBytes = sizeof(float) * MeasuredTable::kChannels * MeasuredTable::kCells;
+constexpr std::size_t kTableBytes =
+    sizeof(float) * MeasuredTable::kChannels * MeasuredTable::kCells;
 constexpr std::size_t kLongestName = 100;
 
 // No dot and no slash: such a name is neither a path nor taken for a file by anybody.
@@ -45,8 +46,8 @@ Outcome Materials::check_put(const std::string& name, const wire::Sha256Sum& sum
   if (const Stored* stored = find(name)) return stored->sum == sum ? Outcome(Ok{}) : taken(name);
   if (kTableBytes <= put_quota_ && put_bytes_ <= put_quota_ - kTableBytes) return Ok{};
   return bad_value("file", "a table of " + std::to_string(kTableBytes) + " bytes",
-                   "what is left of " + std::to_string(put_quota_) + " bytes for put materials: " +
-                       std::to_string(put_quota_ - put_bytes_),
+                   "what is left of " + std::to_string(put_quota_) +
+                       " bytes for put materials: " + std::to_string(put_quota_ - put_bytes_),
                    ErrorCode::resource_exhausted);
 }
 
@@ -73,7 +74,8 @@ Result<PutResult> Materials::put(const std::string& name, std::string content,
   if (file) {
     if (auto placed = file->place(name); !placed) return placed.error();
   }
-  const PutResult result{file ? PutPlace::folder : PutPlace::memory, (*table)->invalid_cells(), false};
+  const PutResult result{file ? PutPlace::folder : PutPlace::memory, (*table)->invalid_cells(),
+                         false};
   Stored stored{Material::from_table(std::move(*table), Interpolation::linear), sum, result};
   const std::unique_lock lock(locks_->stored);
   put_bytes_ += kTableBytes;

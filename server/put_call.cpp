@@ -17,7 +17,7 @@ v1::PutMaterialResponse to_wire(const std::string& name, const PutResult& result
   v1::PutMaterialResponse response;
   response.set_name(name);
   response.set_place(result.place == PutPlace::folder ? v1::MATERIAL_PLACE_FOLDER
-                                                   : v1::MATERIAL_PLACE_MEMORY);
+                                                      : v1::MATERIAL_PLACE_MEMORY);
   response.set_cells(MeasuredTable::kCells);
   response.set_invalid_cells(result.invalid_cells);
   response.set_existed(result.existed);
@@ -74,18 +74,17 @@ Outcome PutCall::take() {
 Outcome PutCall::queue_storing() {
   access_.items = upload_.size();
   if (backend_.puts.submit({[this] { store(); }, [this] { return state_.is_over(); }})) return Ok{};
-  return Error{ErrorCode::resource_exhausted,
-               "the server has " + std::to_string(backend_.puts.max_jobs()) +
-                   " uploads to store already",
-               {},
-               {},
-               {}};
+  return Error{
+      ErrorCode::resource_exhausted,
+      "the server has " + std::to_string(backend_.puts.max_jobs()) + " uploads to store already",
+      {},
+      {},
+      {}};
 }
 
 void PutCall::store() {
   if (state_.is_over()) return refuse(cancelled());
-  const auto result =
-      backend_.materials.put(upload_.name(), upload_.take_content(), upload_.sum());
+  const auto result = backend_.materials.put(upload_.name(), upload_.take_content(), upload_.sum());
   if (!result) return refuse(result.error());
   const auto response = to_wire(upload_.name(), *result);
   bool own = false;

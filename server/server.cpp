@@ -106,7 +106,7 @@ struct Server::State {
   std::shared_ptr<spdlog::logger> logger;
   Materials materials;
   MemoryBudget memory;
-  ThreadPool pool;  // outlived by nothing that uses it: the calls end with `grpc`
+  ThreadPool pool;             // outlived by nothing that uses it: the calls end with `grpc`
   BackgroundQueue fits, puts;  // likewise
   Service service;
   std::unique_ptr<grpc::Server> grpc;

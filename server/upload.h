@@ -22,7 +22,8 @@ class Upload {
   // The next part. Errors name it ("file.name", "chunk"); resource_exhausted without an allowed
   // value where the memory is full for the moment.
   Outcome take(v1::PutMaterialRequest part);
-  // After the last part. Errors: bytes that are missing (data_loss), another sum than was announced.
+  // After the last part. Errors: bytes that are missing (data_loss), another sum than was
+  // announced.
   Outcome finish();
 
   [[nodiscard]] const std::string& name() const { return name_; }

@@ -176,8 +176,8 @@ int run(const CompareArguments& arguments) {
   if (!comparison) return fail(comparison.error());
   Outcome drawn = Ok{};
   if (!arguments.slices.empty()) {
-    drawn = write(arguments.slices, slices_png(name_of(arguments.reference), comparison->data,
-                                               comparison->compared));
+    drawn = write(arguments.slices,
+                  slices_png(name_of(arguments.reference), comparison->data, comparison->compared));
   }
   if (drawn && !arguments.render.empty()) drawn = draw_spheres(arguments, *comparison);
   if (!drawn) return fail(drawn.error());

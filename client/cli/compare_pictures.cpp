@@ -30,10 +30,10 @@ struct LightOfRow {
 
 Result<std::vector<LightOfRow>> lights() {
   std::vector<LightOfRow> rows;
-  rows.push_back({"one directional light",
-                  render::directional_light(
-                      render::direction_of(render::radians(45), render::radians(-60))),
-                  render::Rgb::Constant(0.05F)});
+  rows.push_back(
+      {"one directional light",
+       render::directional_light(render::direction_of(render::radians(45), render::radians(-60))),
+       render::Rgb::Constant(0.05F)});
   auto sky = render::dome_light(render::sky_map(), "sky");
   if (!sky) return sky.error();
   rows.push_back({"a hazy sky", std::move(*sky), std::nullopt});

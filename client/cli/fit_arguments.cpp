@@ -141,9 +141,10 @@ void add_fit_options(CLI::App& command, FitArguments& arguments) {
       .add_option("-o,--output", arguments.output, "Where the material's JSON goes; - is stdout")
       ->type_name("OUT");
   command
-      .add_option("--report", arguments.reports,
-                  "Where all that is known of the fits goes: JSON, or a page for people if OUT ends "
-                  "in .md; may be given for each")
+      .add_option(
+          "--report", arguments.reports,
+          "Where all that is known of the fits goes: JSON, or a page for people if OUT ends "
+          "in .md; may be given for each")
       ->type_name("OUT")
       ->allow_extra_args(false);
   add_connection_options(command, arguments.connection);

@@ -148,8 +148,8 @@ int run(const FitArguments& arguments) {
   if (auto written = write_all(*outputs, *fits, best, arguments); !written)
     return fail(written.error());
   // The table must not stand among what is read from standard output.
-  const bool taken = arguments.output == "-" || std::count(arguments.reports.begin(),
-                                                           arguments.reports.end(), "-") > 0;
+  const bool taken = arguments.output == "-" ||
+                     std::count(arguments.reports.begin(), arguments.reports.end(), "-") > 0;
   if (!arguments.quiet) std::fputs(fit_table(*fits).c_str(), taken ? stderr : stdout);
   return best != nullptr ? exit_ok : exit_failed;
 }

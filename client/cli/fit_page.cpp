@@ -20,7 +20,9 @@ std::string number(double x, const char* format = "%.4g") {
   return text;
 }
 
-std::string row(const std::vector<std::string>& cells) { return "| " + joined(cells, " | ") + " |\n"; }
+std::string row(const std::vector<std::string>& cells) {
+  return "| " + joined(cells, " | ") + " |\n";
+}
 
 std::string head(const std::vector<std::string>& names) {
   return "\n" + row(names) + row(std::vector<std::string>(names.size(), "---"));
@@ -46,17 +48,16 @@ std::string errors_of(const FitCertificate& certificate) {
 }
 
 std::string parameters_of(const FitCertificate& certificate) {
-  std::string text = "\nParameters:\n" + head({"parameter", "channel", "value", "standard error",
-                                               "95 % interval"});
+  std::string text = "\nParameters:\n" +
+                     head({"parameter", "channel", "value", "standard error", "95 % interval"});
   for (const auto& parameter : certificate.parameters) {
-    const std::string channel =
-        parameter.channel < 0 ? "all" : std::to_string(parameter.channel);
+    const std::string channel = parameter.channel < 0 ? "all" : std::to_string(parameter.channel);
     const std::string error =
         parameter.at_bound ? "at its bound" : number(parameter.standard_error, "%.2g");
     const std::string interval =
         parameter.at_bound ? "-" : number(parameter.lower) + " to " + number(parameter.upper);
-    text += row({"`" + parameter.field + "`", channel, number(parameter.value, "%.6g"), error,
-                 interval});
+    text += row(
+        {"`" + parameter.field + "`", channel, number(parameter.value, "%.6g"), error, interval});
   }
   return text;
 }
@@ -145,9 +146,8 @@ std::string section(const NamedFit& fit) {
 std::string how(const FitArguments& arguments) {
   return "Objective " + arguments.objective + ", strategy " + arguments.strategy +
          ", pairs above " + number(arguments.min_theta) + "° and up to " +
-         number(arguments.max_theta) + "°, " + std::to_string(arguments.starts) +
-         " starts, seed " + std::to_string(arguments.seed) +
-         (arguments.anisotropic ? ", anisotropic" : "") +
+         number(arguments.max_theta) + "°, " + std::to_string(arguments.starts) + " starts, seed " +
+         std::to_string(arguments.seed) + (arguments.anisotropic ? ", anisotropic" : "") +
          (arguments.polish ? ", with a last descent on all pairs" : "") + ".\n";
 }
 

@@ -36,8 +36,8 @@ struct PutArguments {
 };
 
 Error bad_file(const std::string& file, ErrorCode code, const std::string& found) {
-  const std::string allowed = "a MERL .binary file of " +
-                              std::to_string(MeasuredTable::kFileBytes) + " bytes";
+  const std::string allowed =
+      "a MERL .binary file of " + std::to_string(MeasuredTable::kFileBytes) + " bytes";
   return {code, file + ": found " + found + "; expected " + allowed, file, found, allowed};
 }
 

@@ -17,10 +17,10 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr std::array<double, 3> kWanted = {30, 60, 80};
-constexpr double kNearest = 5;       // how far a slice may be from what is wanted
-constexpr double kBeside = 0.5;      // from the slice, in theta_i
-constexpr double kOutOfPlane = 2;    // and in azimuth
-constexpr double kNoAzimuth = 3;     // closer to the normal an azimuth means nothing
+constexpr double kNearest = 5;     // how far a slice may be from what is wanted
+constexpr double kBeside = 0.5;    // from the slice, in theta_i
+constexpr double kOutOfPlane = 2;  // and in azimuth
+constexpr double kNoAzimuth = 3;   // closer to the normal an azimuth means nothing
 
 // A pair close to the plane of incidence, in degrees; theta_o is negative on the side of the light.
 struct InPlane {
@@ -54,10 +54,9 @@ std::vector<InPlane> all_in_plane(const fit::Data& data) {
 // Where a slice is made: at the angle wanted if it is measured, else at the nearest one.
 std::optional<InPlane> place_near(const std::vector<InPlane>& pairs, double wanted) {
   const auto distance = [&](const InPlane& pair) { return std::abs(pair.theta_i - wanted); };
-  const auto nearest =
-      std::min_element(pairs.begin(), pairs.end(), [&](const InPlane& a, const InPlane& b) {
-        return distance(a) < distance(b);
-      });
+  const auto nearest = std::min_element(
+      pairs.begin(), pairs.end(),
+      [&](const InPlane& a, const InPlane& b) { return distance(a) < distance(b); });
   if (nearest == pairs.end() || distance(*nearest) > kNearest) return std::nullopt;
   InPlane place = *nearest;
   if (distance(place) < kBeside) place.theta_i = wanted;
@@ -71,8 +70,8 @@ std::vector<lobe::Spot> dots(const fit::Data& data, const std::vector<InPlane>& 
   for (const InPlane& pair : pairs) {
     if (std::abs(pair.theta_i - place.theta_i) > kBeside) continue;
     if (std::abs(around(pair.phi_i - place.phi_i)) > kOutOfPlane) continue;
-    spots.push_back({pair.theta_o - pair.theta_i + place.theta_i,
-                     double{data.channel(channel)[pair.pair]}});
+    spots.push_back(
+        {pair.theta_o - pair.theta_i + place.theta_i, double{data.channel(channel)[pair.pair]}});
   }
   return spots;
 }
@@ -92,12 +91,12 @@ std::vector<float> values_of(const Material& material, const InPlane& place,
                          static_cast<float>(direction[2])});
   }
   std::vector<float> values(theta_o.size() * static_cast<std::size_t>(material.channels()));
-  evaluate(material,
-           Batch<float, float>{Directions<float>::interleaved(wi.data()),
-                               Directions<float>::interleaved(wo.data()), theta_o.size(),
-                               Values<float>::interleaved(values.data(), material.channels()),
-                               nullptr},
-           best_isa());
+  evaluate(
+      material,
+      Batch<float, float>{Directions<float>::interleaved(wi.data()),
+                          Directions<float>::interleaved(wo.data()), theta_o.size(),
+                          Values<float>::interleaved(values.data(), material.channels()), nullptr},
+      best_isa());
   return values;
 }
 
@@ -124,8 +123,11 @@ struct Lines {
 
 lobe::SlicePanel panel_of(const fit::Data& data, const std::vector<InPlane>& pairs,
                           const std::vector<Material>& materials, const Lines& lines, int channel) {
-  lobe::SlicePanel panel{lines.place.theta_i, channel_name(channel, data.channels),
-                         dots(data, pairs, lines.place, channel), lines.theta_o, {}};
+  lobe::SlicePanel panel{lines.place.theta_i,
+                         channel_name(channel, data.channels),
+                         dots(data, pairs, lines.place, channel),
+                         lines.theta_o,
+                         {}};
   for (std::size_t m = 0; m < materials.size(); ++m) {
     const auto channels = static_cast<std::size_t>(materials[m].channels());
     const std::size_t c = channels == 1 ? 0 : static_cast<std::size_t>(channel);

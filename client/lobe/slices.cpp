@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "client/lobe/panel.h"
@@ -120,8 +121,7 @@ Result<std::vector<std::uint8_t>> draw_slices(const SlicesPicture& picture,
     const std::size_t column = i % picture.columns;
     const double left = width * static_cast<double>(column);
     const double top = kHead + height * static_cast<double>(i / picture.columns);
-    draw_panel(canvas,
-               {left + kLeft, top + kAbove, left + width - kBeside, top + height - kBelow},
+    draw_panel(canvas, {left + kLeft, top + kAbove, left + width - kBeside, top + height - kBelow},
                scale_of(panels, column, picture.columns), panels[i]);
   }
   canvas.text({picture.width / 2.0, picture.height - 0.5 * kFoot},

@@ -159,8 +159,7 @@ Result<std::shared_ptr<const MeasuredTable>> MeasuredTable::read_merl(
   if (auto kind = check_kind(file.string()); !kind) return kind.error();
   std::ifstream in(file, std::ios::binary);
   if (!in) {
-    return file_error(ErrorCode::not_found, file.string(), std::strerror(errno),
-                      "a readable file");
+    return file_error(ErrorCode::not_found, file.string(), std::strerror(errno), "a readable file");
   }
   std::error_code problem;
   const std::uintmax_t bytes = std::filesystem::file_size(file, problem);

@@ -1,5 +1,5 @@
-// What an evaluation stream feels of two fits beside it: the 99th percentile of the time that a chunk
-// takes, idle and with the fits. Wanted: a ratio below 3. beside_fits [SECONDS]
+// What an evaluation stream feels of two fits beside it: the 99th percentile of the time that a
+// chunk takes, idle and with the fits. Wanted: a ratio below 3. beside_fits [SECONDS]
 //
 // Idle and busy phases take turns within one run, so that other work on the machine slows both. The
 // server is a goniod of its own, with its default options.
@@ -25,8 +25,9 @@ constexpr std::size_t kChunkPairs = 16384, kFitPairs = 50'000;
 constexpr int kPhases = 4;  // of each kind
 
 client::Material material() {
-  return client::Material::sum(client::Lobe{"lambertian", {{"rd", std::vector{0.3, 0.1, 0.05}}}},
-                               {client::Lobe{"ggx", {{"f0", 0.2}, {"alpha_x", 0.2}, {"alpha_y", 0.2}}}});
+  return client::Material::sum(
+      client::Lobe{"lambertian", {{"rd", std::vector{0.3, 0.1, 0.05}}}},
+      {client::Lobe{"ggx", {{"f0", 0.2}, {"alpha_x", 0.2}, {"alpha_y", 0.2}}}});
 }
 
 client::Client connect(const std::string& target) {
@@ -91,8 +92,7 @@ int run(double seconds) {
     good = stream(client, seconds, idle);
     std::atomic<bool> stop{false};
     std::vector<std::thread> threads;
-    for (int i = 0; i < 2; ++i)
-      threads.emplace_back([&] { fit_on(connect(target), stop, fits); });
+    for (int i = 0; i < 2; ++i) threads.emplace_back([&] { fit_on(connect(target), stop, fits); });
     std::this_thread::sleep_for(std::chrono::milliseconds(300));  // until both fit
     good = good && stream(client, seconds, busy);
     stop = true;

@@ -13,8 +13,8 @@
 #include <thread>
 
 #include "bench/echo_service.h"
-#include "server/configure.h"
 #include "server/background_queue.h"
+#include "server/configure.h"
 #include "server/service.h"
 
 namespace gonio::bench {

@@ -32,7 +32,9 @@ class Compare : public ::testing::Test {
   [[nodiscard]] Finished run(const std::string& line) const {
     return shell("D='" + (folder_ / "").string() + "'; " + line);
   }
-  [[nodiscard]] Png picture(const std::string& name) const { return decoded_png(content_of(folder_ / name)); }
+  [[nodiscard]] Png picture(const std::string& name) const {
+    return decoded_png(content_of(folder_ / name));
+  }
 
   gonio::testing::TempFolder folder_;
 };
@@ -44,7 +46,8 @@ std::size_t count(const Png& picture, std::array<int, 3> colour) {
   std::size_t found = 0;
   for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
     bool same = true;
-    for (std::size_t c = 0; c < 3; ++c) same = same && std::abs(picture.rgb[i + c] - colour[c]) < 30;
+    for (std::size_t c = 0; c < 3; ++c)
+      same = same && std::abs(picture.rgb[i + c] - colour[c]) < 30;
     found += same ? 1 : 0;
   }
   return found;
@@ -116,10 +119,9 @@ TEST_F(Compare, AReportIsAlsoAPageForPeople) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string page = read_file(folder_ / "a.md");
   for (const char* word :
-       {"# Fits to ", "Objective l1, strategy auto", "pairs", "## ggx:schlick: ",
-        "| up to 80° |", "`specular[0].parameters.alpha_x` | all | 0.15", "95 % interval",
-        "starts end within 1 %", "The worst places", "Albedo", "s of one processor",
-        "## lambertian: "}) {
+       {"# Fits to ", "Objective l1, strategy auto", "pairs", "## ggx:schlick: ", "| up to 80° |",
+        "`specular[0].parameters.alpha_x` | all | 0.15", "95 % interval", "starts end within 1 %",
+        "The worst places", "Albedo", "s of one processor", "## lambertian: "}) {
     EXPECT_THAT(page, HasSubstr(word));
   }
   EXPECT_THAT(read_file(folder_ / "a.json"), HasSubstr("\"certificate\""));

@@ -1,4 +1,5 @@
-// `gonio fit` with data that hardly are any: it fits them, or says why not, and never writes half a file.
+// `gonio fit` with data that hardly are any: it fits them, or says why not, and never writes half a
+// file.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +26,8 @@ std::string csv_of(const Reflectance& f) {
   for (double theta_i = 0.1; theta_i < 1.4; theta_i += 0.25) {
     for (double theta_o = 0.05; theta_o < 1.5; theta_o += 0.15) {
       for (double phi = 0; phi < 6; phi += 0.6)
-        text << theta_i << ",0," << theta_o << ',' << phi << ',' << f(theta_i, theta_o, phi) << '\n';
+        text << theta_i << ",0," << theta_o << ',' << phi << ',' << f(theta_i, theta_o, phi)
+             << '\n';
     }
   }
   return text.str();
@@ -89,8 +91,8 @@ TEST_F(HostileFit, FivePointsAndOneDirectionSayThatTheyDoNotDetermineIt) {
   for (int i = 0; i < 50; ++i) one += "0.5,0,0.4,3,0.2\n";
   for (const auto& data : {five, one}) {
     const auto result = fit(data);
-    EXPECT_THAT(result.out, AnyOf(HasSubstr("ambiguous"), HasSubstr("failed"),
-                                  HasSubstr("bound-limited")));
+    EXPECT_THAT(result.out,
+                AnyOf(HasSubstr("ambiguous"), HasSubstr("failed"), HasSubstr("bound-limited")));
     EXPECT_THAT(result.out, Not(HasSubstr(" converged")));
   }
 }
@@ -107,9 +109,10 @@ TEST_F(HostileFit, ALobeTowardTheLightIsSaidToBeMissing) {
 
 TEST_F(HostileFit, TwoMaterialsMixedAreFittedAndJudged) {
   int i = 0;
-  const auto result = fit(csv_of([&](double, double, double) { return ++i % 2 == 0 ? 0.3 : 0.05; }));
-  EXPECT_THAT(result.out, AnyOf(HasSubstr("converged"), HasSubstr("ambiguous"),
-                                HasSubstr("bound-limited")));
+  const auto result =
+      fit(csv_of([&](double, double, double) { return ++i % 2 == 0 ? 0.3 : 0.05; }));
+  EXPECT_THAT(result.out,
+              AnyOf(HasSubstr("converged"), HasSubstr("ambiguous"), HasSubstr("bound-limited")));
 }
 
 }  // namespace

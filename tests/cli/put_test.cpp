@@ -36,8 +36,8 @@ class PutCommand : public ::testing::Test {
   }
 
   [[nodiscard]] Finished run(const std::string& line) const {
-    return shell("D='" + (*files_ / "").string() + "'; export GONIO_SERVER='unix:" +
-                 (folder_ / "socket").string() + "'; " + line);
+    return shell("D='" + (*files_ / "").string() +
+                 "'; export GONIO_SERVER='unix:" + (folder_ / "socket").string() + "'; " + line);
   }
 
   static inline std::unique_ptr<gonio::testing::TempFolder> files_;

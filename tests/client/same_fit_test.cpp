@@ -1,4 +1,5 @@
-// A fit's bits depend on its data, its options and the processor's instruction set, on nothing else.
+// A fit's bits depend on its data, its options and the processor's instruction set, on nothing
+// else.
 #include <google/protobuf/util/json_util.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// The queue of fits and uploads: bounded, each job once, what nobody waits for gives its place back.
+// The queue of fits and uploads: bounded, each job once, what nobody waits for gives its place
+// back.
 #include "server/background_queue.h"
 
 #include <gtest/gtest.h>

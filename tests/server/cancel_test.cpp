@@ -5,9 +5,9 @@
 
 #include <chrono>
 
+#include "server/background_queue.h"
 #include "server/busy_pool.h"
 #include "server/evaluation.h"
-#include "server/background_queue.h"
 #include "server/stream_client.h"
 #include "wire/codec.h"
 
@@ -34,7 +34,8 @@ struct Computing {
     auto done = std::make_shared<std::promise<bool>>();
     static MemoryBudget memory(1 << 30);  // outlives the evaluations of all tests
     const Backend backend{
-        materials, pool, 1 << 20, 8, logger, memory, FitBackend{fits, std::chrono::seconds(1)}, puts};
+        materials, pool, 1 << 20, 8, logger, memory, FitBackend{fits, std::chrono::seconds(1)},
+        puts};
     EXPECT_TRUE(compute(backend, evaluation, state, [done](bool completed) {
                   done->set_value(completed);
                 }).ok());

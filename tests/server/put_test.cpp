@@ -147,8 +147,7 @@ TEST_F(Put, GoesIntoTheFolderAsAWhole) {
   start(options_);
   EXPECT_EQ(stored("grey").place(), v1::MATERIAL_PLACE_FOLDER);
   EXPECT_EQ(read_all(folder / "grey.binary"), content());
-  EXPECT_EQ(refused(announced("gold", content().size(), sum_), "").code,
-            ErrorCode::already_exists);
+  EXPECT_EQ(refused(announced("gold", content().size(), sum_), "").code, ErrorCode::already_exists);
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder / ""))
     files.push_back(entry.path().filename());
@@ -175,8 +174,8 @@ TEST_F(Put, DoesNotReplaceAFileThatCameMeanwhile) {
 TEST_F(Put, GoesIntoMemoryWhereTheFolderIsReadOnly) {
   const TempFolder folder;
   std::filesystem::create_directory(folder / "fixed");
-  std::filesystem::permissions(folder / "fixed", std::filesystem::perms::owner_read |
-                                                     std::filesystem::perms::owner_exec);
+  std::filesystem::permissions(
+      folder / "fixed", std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
   if (::access((folder / "fixed").c_str(), W_OK) == 0)
     GTEST_SKIP() << "this user may write to a read-only folder";
   options_.materials = folder / "fixed";
