@@ -6,17 +6,14 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/compare_pictures.h"
+#include "client/cli/comparison.h"
 #include "client/cli/connection.h"
 #include "client/cli/exit_codes.h"
 #include "client/cli/fit_table.h"
-#include "client/cli/material_argument.h"
-#include "client/cli/measured_input.h"
 #include "client/cli/output_file.h"
 #include "client/cli/text.h"
 #include "client/lobe/slices.h"
-#include "engine/material_impl.h"
 #include "fit/metrics.h"
-#include "server/materials.h"
 
 namespace gonio::cli {
 namespace {
@@ -45,40 +42,6 @@ struct CompareArguments {
   std::string slices, render;  // empty: none
 };
 
-// What is compared, and with what.
-struct Comparison {
-  MeasuredInput input;
-  fit::Data data;
-  std::vector<Compared> compared;
-};
-
-// A file's name, or JSON as it is.
-std::string name_of(const std::string& argument) {
-  if (argument.find('{') != std::string::npos) return argument;
-  return std::filesystem::path(argument).filename().string();
-}
-
-Result<Compared> build(const Materials& materials, const std::string& argument) {
-  auto material = read_material(argument, true);
-  if (!material) return material.error();
-  auto built = materials.resolve(material->wire());
-  if (!built) return built.error();
-  return Compared{name_of(argument), std::move(*material), built->material()};
-}
-
-Result<fit::Data> data_of(const MeasuredInput& input, const Materials& materials) {
-  if (input.measured) {
-    const auto material = materials.resolve(input.measured->wire());
-    if (!material) return material.error();
-    return fit::from_table(*material->material().impl().table);
-  }
-  const auto wide = [](const std::vector<float>& x) {
-    return std::vector<double>(x.begin(), x.end());
-  };
-  return fit::from_pairs(wide(input.wi), wide(input.wo), wide(input.values), input.channels,
-                         wide(input.weights));
-}
-
 client::FitErrors cells(const fit::Errors& errors) {
   return {errors.l1, errors.rmse, errors.log, errors.cbrt, errors.pairs};
 }
@@ -97,31 +60,6 @@ std::string row(const std::string& name, const fit::Comparison& comparison, std:
          "\n    " + region("mirror", regions.mirror) + ", " +
          region("toward the light", regions.toward_light) + ", " +
          region("elsewhere", regions.elsewhere) + "\n";
-}
-
-Outcome check_channels(const std::string& name, const Material& material, const fit::Data& data) {
-  if (material.channels() == 1 || material.channels() == data.channels) return Ok{};
-  return bad_value("--material " + name,
-                   "a material of " + std::to_string(material.channels()) + " channels",
-                   "1 or " + std::to_string(data.channels) + ", those of the reference");
-}
-
-Result<Comparison> read_all(const CompareArguments& arguments) {
-  Materials materials;
-  materials.allow_local_files();
-  auto input = read_measured(arguments.reference, true, arguments.degrees);
-  if (!input) return input.error();
-  auto data = data_of(*input, materials);
-  if (!data) return data.error();
-  Comparison comparison{std::move(*input), std::move(*data), {}};
-  for (const std::string& argument : arguments.materials) {
-    auto one = build(materials, argument);
-    if (!one) return one.error();
-    if (auto agree = check_channels(argument, one->material, comparison.data); !agree)
-      return agree.error();
-    comparison.compared.push_back(std::move(*one));
-  }
-  return comparison;
 }
 
 std::string table_of(const Comparison& comparison) {
@@ -166,18 +104,19 @@ Outcome draw_spheres(const CompareArguments& arguments, const Comparison& compar
   }
   auto connection = Connection::open({});
   if (!connection) return connection.error();
-  return write(arguments.render, spheres_png(name_of(arguments.reference), connection->client,
+  return write(arguments.render, spheres_png(shown_name(arguments.reference), connection->client,
                                              *comparison.input.measured, comparison.compared));
 }
 
 int run(const CompareArguments& arguments) {
   if (auto good = check(arguments); !good) return fail(good.error());
-  const auto comparison = read_all(arguments);
+  const auto comparison =
+      read_comparison(arguments.reference, arguments.materials, arguments.degrees);
   if (!comparison) return fail(comparison.error());
   Outcome drawn = Ok{};
   if (!arguments.slices.empty()) {
-    drawn = write(arguments.slices,
-                  slices_png(name_of(arguments.reference), comparison->data, comparison->compared));
+    drawn = write(arguments.slices, slices_png(shown_name(arguments.reference), comparison->data,
+                                               comparison->compared));
   }
   if (drawn && !arguments.render.empty()) drawn = draw_spheres(arguments, *comparison);
   if (!drawn) return fail(drawn.error());

@@ -5,18 +5,10 @@
 #include <vector>
 
 #include "base/result.h"
+#include "client/cli/comparison.h"
 #include "client/client.h"
-#include "engine/material.h"
-#include "fit/data.h"
 
 namespace gonio::cli {
-
-// What is compared, by its name in the pictures.
-struct Compared {
-  std::string name;
-  client::Material asked;  // as the service takes it
-  Material material;       // the same, built
-};
 
 // A PNG of slices: measured dots, a line for each material.
 Result<std::string> slices_png(const std::string& title, const fit::Data& data,
