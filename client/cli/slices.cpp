@@ -51,25 +51,45 @@ std::vector<InPlane> all_in_plane(const fit::Data& data) {
   return pairs;
 }
 
+// The azimuth at which most of these pairs are, or half a turn from it: a cell of a table at the
+// mirror direction may have any azimuth, the others of its slice have not.
+double common_azimuth(const std::vector<InPlane>& pairs, double theta_i) {
+  constexpr double kBin = 2;
+  constexpr std::size_t kBins = 90;
+  std::array<std::size_t, kBins> counts{};
+  std::array<double, kBins> first{};
+  for (const InPlane& pair : pairs) {
+    if (std::abs(pair.theta_i - theta_i) > kBeside) continue;
+    const double half_turn = pair.phi_i - 180 * std::floor(pair.phi_i / 180);
+    const std::size_t bin = static_cast<std::size_t>(half_turn / kBin + 0.5) % kBins;
+    if (counts[bin]++ == 0) first[bin] = pair.phi_i;
+  }
+  const auto most = std::max_element(counts.begin(), counts.end());
+  return first[static_cast<std::size_t>(most - counts.begin())];
+}
+
+struct Place {
+  double theta_i, phi_i;
+};
+
 // Where a slice is made: at the angle wanted if it is measured, else at the nearest one.
-std::optional<InPlane> place_near(const std::vector<InPlane>& pairs, double wanted) {
+std::optional<Place> place_near(const std::vector<InPlane>& pairs, double wanted) {
   const auto distance = [&](const InPlane& pair) { return std::abs(pair.theta_i - wanted); };
   const auto nearest = std::min_element(
       pairs.begin(), pairs.end(),
       [&](const InPlane& a, const InPlane& b) { return distance(a) < distance(b); });
   if (nearest == pairs.end() || distance(*nearest) > kNearest) return std::nullopt;
-  InPlane place = *nearest;
-  if (distance(place) < kBeside) place.theta_i = wanted;
-  return place;
+  const double theta_i = distance(*nearest) < kBeside ? wanted : nearest->theta_i;
+  return Place{theta_i, common_azimuth(pairs, theta_i)};
 }
 
 // A dot keeps its distance from the mirror direction, on which a lobe depends most.
 std::vector<lobe::Spot> dots(const fit::Data& data, const std::vector<InPlane>& pairs,
-                             const InPlane& place, int channel) {
+                             const Place& place, int channel) {
   std::vector<lobe::Spot> spots;
   for (const InPlane& pair : pairs) {
     if (std::abs(pair.theta_i - place.theta_i) > kBeside) continue;
-    if (std::abs(around(pair.phi_i - place.phi_i)) > kOutOfPlane) continue;
+    if (std::abs(around(2 * (pair.phi_i - place.phi_i))) > 2 * kOutOfPlane) continue;
     spots.push_back(
         {pair.theta_o - pair.theta_i + place.theta_i, double{data.channel(channel)[pair.pair]}});
   }
@@ -77,7 +97,7 @@ std::vector<lobe::Spot> dots(const fit::Data& data, const std::vector<InPlane>& 
 }
 
 // [pair][channel]
-std::vector<float> values_of(const Material& material, const InPlane& place,
+std::vector<float> values_of(const Material& material, const Place& place,
                              const std::vector<double>& theta_o) {
   constexpr double kRadians = std::numbers::pi / 180;
   std::vector<float> wi, wo;
@@ -116,7 +136,7 @@ std::string channel_name(int channel, int channels) {
 
 // What the materials reflect at a place.
 struct Lines {
-  InPlane place;
+  Place place;
   std::vector<double> theta_o;
   std::vector<std::vector<float>> values;  // of each material
 };

@@ -21,7 +21,7 @@ constexpr std::array<Colour, 6> kColours = {{{0.00, 0.45, 0.70, 1},
 constexpr Colour kDot{0.25, 0.25, 0.28, 0.55};
 constexpr double kText = 14, kSmall = 12;
 // Around all panels, and around each of them.
-constexpr double kHead = 64, kFoot = 34, kLeft = 52, kAbove = 26, kBelow = 24, kBeside = 14;
+constexpr double kHead = 64, kFoot = 34, kLeft = 52, kAbove = 26, kBelow = 24, kBeside = 18;
 
 Pen pen_of(std::size_t material) {
   return {kColours[material % kColours.size()], 2, material >= kColours.size()};
