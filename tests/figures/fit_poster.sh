@@ -21,11 +21,11 @@ mkdir -p "$out"
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-size=160
+size=176
 models=(phong blinn_phong phong_mix)
 titles=("Phong" "Blinn–Phong" "mixture")
 steep=(--light-theta 60 --light-phi -110)
-grazing=(--light-theta 85 --light-phi 105)
+grazing=(--light-theta 72 --light-phi 118)
 
 # tile NAME MATERIAL LIGHT...: one sphere.
 tile() {
