@@ -64,8 +64,14 @@ TEST_F(HostileFit, ConstantDataAreADiffuseBase) {
   EXPECT_THAT(result.out, HasSubstr("rd 0.314"));
 }
 
-TEST_F(HostileFit, NothingReflectedAndNothingMeasuredHaveAReason) {
-  expect_failed(csv_of([](double, double, double) { return 0; }), "zero");
+TEST_F(HostileFit, NothingReflectedIsABlackMaterial) {
+  const auto result = fit(csv_of([](double, double, double) { return 0; }));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, HasSubstr("rd 0 (at its bound)"));
+  EXPECT_THAT(result.out, HasSubstr("the lobe ggx has no height: its shape is arbitrary"));
+}
+
+TEST_F(HostileFit, NothingMeasuredHasAReason) {
   expect_failed(csv_of([](double, double, double) { return -1; }), "negative or not measured");
   expect_failed(csv_of([](double, double, double) { return std::nan(""); }), "not finite");
   expect_failed("theta_i,phi_i,theta_o,phi_o,f_0\n", "0 pairs");
