@@ -16,8 +16,9 @@ using RawEvaluate = WireService::WithRawCallbackMethod_Evaluate<
 using RawSample = WireService::WithRawCallbackMethod_Sample<
     WireService::WithRawCallbackMethod_SampleStream<RawEvaluate>>;
 using RawFit = WireService::WithRawCallbackMethod_Fit<RawSample>;
+using RawPut = WireService::WithRawCallbackMethod_PutMaterial<RawFit>;
 using RawService = WireService::WithCallbackMethod_ListModels<
-    WireService::WithRawCallbackMethod_Integrate<RawFit>>;
+    WireService::WithRawCallbackMethod_Integrate<RawPut>>;
 
 class Service final : public RawService {
  public:
@@ -34,6 +35,8 @@ class Service final : public RawService {
       grpc::CallbackServerContext* context) override;
   grpc::ServerWriteReactor<grpc::ByteBuffer>* Fit(grpc::CallbackServerContext* context,
                                                   const grpc::ByteBuffer* request) override;
+  grpc::ServerReadReactor<grpc::ByteBuffer>* PutMaterial(grpc::CallbackServerContext* context,
+                                                         grpc::ByteBuffer* response) override;
 
   grpc::ServerUnaryReactor* Sample(grpc::CallbackServerContext* context,
                                    const grpc::ByteBuffer* request,
