@@ -14,6 +14,8 @@
 //   angle(y, x)        of (x, y), both at least 0
 //   times_exp2(a, x)   a 2^x, without underflow before the product
 //   kQuick             whether errors of 1e-14 are small enough to save work for
+//
+// Fast and Reference are here, derivatives in derivative.h, scalars of long double in extended.h.
 #pragma once
 
 #include "numeric/elementary.h"
