@@ -38,6 +38,7 @@
 #include <string_view>
 
 #include "base/result.h"
+#include "client/assess.h"
 #include "client/fit.h"
 #include "client/grid.h"
 #include "client/material.h"
@@ -204,6 +205,11 @@ class Client {
   // says. Data that say nothing are no error: the verdict is then `failed`, with the reason.
   Result<FitResult> fit(const FitData& data, const Material& form, const FitOptions& options = {},
                         const FitWatch& watch = {}) const;
+
+  // Runs the material through the places where methods fail: see client/assess.h. Takes about a
+  // second. A bad verdict is no error. Errors: limits out of bounds, and what the server says.
+  [[nodiscard]] Result<Assessment> assess(const Material& material,
+                                          const AssessOptions& options = {}) const;
 
  private:
   struct State;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "server/assess_call.h"
 #include "server/evaluation.h"
 #include "server/fit_call.h"
 #include "server/integration.h"
@@ -71,6 +72,13 @@ grpc::ServerWriteReactor<grpc::ByteBuffer>* Service::Fit(grpc::CallbackServerCon
                                                          const grpc::ByteBuffer* request) {
   backend_.call_begins();
   return FitCall::start(backend_, *context, *request);
+}
+
+grpc::ServerUnaryReactor* Service::Assess(grpc::CallbackServerContext* context,
+                                          const grpc::ByteBuffer* request,
+                                          grpc::ByteBuffer* response) {
+  backend_.call_begins();
+  return AssessCall::start(backend_, *context, *request, *response);
 }
 
 }  // namespace gonio

@@ -16,8 +16,9 @@ using RawEvaluate = WireService::WithRawCallbackMethod_Evaluate<
 using RawSample = WireService::WithRawCallbackMethod_Sample<
     WireService::WithRawCallbackMethod_SampleStream<RawEvaluate>>;
 using RawFit = WireService::WithRawCallbackMethod_Fit<RawSample>;
+using RawAssess = WireService::WithRawCallbackMethod_Assess<RawFit>;
 using RawService = WireService::WithCallbackMethod_ListModels<
-    WireService::WithRawCallbackMethod_Integrate<RawFit>>;
+    WireService::WithRawCallbackMethod_Integrate<RawAssess>>;
 
 class Service final : public RawService {
  public:
@@ -34,6 +35,9 @@ class Service final : public RawService {
       grpc::CallbackServerContext* context) override;
   grpc::ServerWriteReactor<grpc::ByteBuffer>* Fit(grpc::CallbackServerContext* context,
                                                   const grpc::ByteBuffer* request) override;
+  grpc::ServerUnaryReactor* Assess(grpc::CallbackServerContext* context,
+                                   const grpc::ByteBuffer* request,
+                                   grpc::ByteBuffer* response) override;
 
   grpc::ServerUnaryReactor* Sample(grpc::CallbackServerContext* context,
                                    const grpc::ByteBuffer* request,
