@@ -30,7 +30,7 @@ class Truth {
   // f in 1/sr of every channel, as evaluate() defines it for directions of any length within its
   // tolerance; 0 for a pair that cannot be evaluated. `scale`, if not empty, is what the relative
   // error bounds are relative to: f; of a measured table the largest of the cells that are
-  // interpolated, and NaN where the nearest one is a matter of rounding.
+  // interpolated, and NaN where rounding decides which these are.
   void evaluate(const Direction& wi, const Direction& wo, std::span<long double> f,
                 std::span<long double> scale = {}) const;
 
