@@ -26,7 +26,7 @@ struct AssessLimits {
   std::optional<double> reciprocity;   // if not given, twice the stated bound of Precision::fast
   std::optional<double> gain;          // albedo above 1; 0.001
   std::optional<double> loss;          // albedo below 1; 1, which allows any
-  std::optional<double> mass;          // |integral of the pdf + lost mass - 1|; 0.001
+  std::optional<double> mass;          // |integral of the pdf + lost mass - 1|; 0.005
   std::optional<double> weight_error;  // of weight pdf; the stated bound and four roundings
   std::optional<double> probability;   // the least of chi-square; 1e-6
   std::optional<double> deviation;     // of albedos by samples, in standard errors; 5

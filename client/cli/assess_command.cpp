@@ -59,7 +59,7 @@ constexpr std::array<LimitOption, 9> kLimits{{
     {"--max-gain", &client::AssessLimits::gain, "Albedo above 1; 0.001"},
     {"--max-loss", &client::AssessLimits::loss, "Albedo below 1, 0 to 1; 1, which allows any"},
     {"--max-mass-error", &client::AssessLimits::mass,
-     "How far the density's integral and the mass below the horizon are from 1; 0.001"},
+     "How far the density's integral and the mass below the horizon are from 1; 0.005"},
     {"--max-weight-error", &client::AssessLimits::weight_error,
      "Relative error of weight x pdf; the stated bound and four roundings"},
     {"--max-deviation", &client::AssessLimits::deviation,

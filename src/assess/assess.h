@@ -25,7 +25,7 @@ struct Limits {
   std::optional<double> reciprocity;   // if not given, twice the bound of Precision::fast
   double gain = 1e-3;                  // albedo above 1
   double loss = 1;                     // albedo below 1; 1: any
-  double mass = 1e-3;                  // |integral of the pdf + lost mass - 1|
+  double mass = 5e-3;                  // |integral of the pdf + lost mass - 1|
   std::optional<double> weight_error;  // if not given, the bound of Precision::fast and 4 roundings
   double probability = 1e-6;           // the least of chi-square
   double deviation = 5;                // of albedos by samples, in standard errors
