@@ -123,8 +123,8 @@ class Bounds : public ::testing::TestWithParam<std::string> {
       add(request.mutable_pairs()->mutable_wo(), pairs.wo);
     } else {
       request.set_precision(v1::PRECISION_REFERENCE);
-      add(request.mutable_pairs()->mutable_wi_f64(), pairs.wi);
-      add(request.mutable_pairs()->mutable_wo_f64(), pairs.wo);
+      add(request.mutable_pairs_f64()->mutable_wi(), pairs.wi);
+      add(request.mutable_pairs_f64()->mutable_wo(), pairs.wo);
     }
     const auto reply = server_.evaluated(request);
     const auto value = [&](std::size_t i) {
