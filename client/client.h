@@ -38,6 +38,7 @@
 #include <string_view>
 
 #include "base/result.h"
+#include "client/assess.h"
 #include "client/fit.h"
 #include "client/grid.h"
 #include "client/material.h"
@@ -215,6 +216,11 @@ class Client {
   // damaged; `cancelled` if the watch stops it.
   Result<PutReport> put_material(std::string_view name, std::string_view content,
                                  const PutWatch& watch = {}) const;
+
+  // Runs the material through the places where methods fail: see client/assess.h. Takes about a
+  // second. A bad verdict is no error. Errors: limits out of bounds, and what the server says.
+  [[nodiscard]] Result<Assessment> assess(const Material& material,
+                                          const AssessOptions& options = {}) const;
 
  private:
   struct State;

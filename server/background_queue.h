@@ -1,8 +1,8 @@
 // Threads for work that takes seconds, apart from those that evaluate.
 //
-// A fit, or the storing of an uploaded material, never runs where it could hold up an evaluation:
-// neither on gRPC's threads nor on the compute pool, and at the lowest priority that the system has
-// for what still gets on. Thread safety: any thread.
+// A fit, an assessment or the storing of an uploaded material never runs where it could hold up an
+// evaluation: neither on gRPC's threads nor on the compute pool, and at the lowest priority that
+// the system has for what still gets on. Thread safety: any thread.
 #pragma once
 
 #include <condition_variable>

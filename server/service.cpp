@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "server/assess_call.h"
 #include "server/evaluation.h"
 #include "server/fit_call.h"
 #include "server/integration.h"
@@ -78,6 +79,13 @@ grpc::ServerReadReactor<grpc::ByteBuffer>* Service::PutMaterial(
     grpc::CallbackServerContext* context, grpc::ByteBuffer* response) {
   backend_.call_begins();
   return PutCall::start(backend_, *context, *response);
+}
+
+grpc::ServerUnaryReactor* Service::Assess(grpc::CallbackServerContext* context,
+                                          const grpc::ByteBuffer* request,
+                                          grpc::ByteBuffer* response) {
+  backend_.call_begins();
+  return AssessCall::start(backend_, *context, *request, *response);
 }
 
 }  // namespace gonio

@@ -17,8 +17,9 @@ using RawSample = WireService::WithRawCallbackMethod_Sample<
     WireService::WithRawCallbackMethod_SampleStream<RawEvaluate>>;
 using RawFit = WireService::WithRawCallbackMethod_Fit<RawSample>;
 using RawPut = WireService::WithRawCallbackMethod_PutMaterial<RawFit>;
+using RawAssess = WireService::WithRawCallbackMethod_Assess<RawPut>;
 using RawService = WireService::WithCallbackMethod_ListModels<
-    WireService::WithRawCallbackMethod_Integrate<RawPut>>;
+    WireService::WithRawCallbackMethod_Integrate<RawAssess>>;
 
 class Service final : public RawService {
  public:
@@ -37,6 +38,9 @@ class Service final : public RawService {
                                                   const grpc::ByteBuffer* request) override;
   grpc::ServerReadReactor<grpc::ByteBuffer>* PutMaterial(grpc::CallbackServerContext* context,
                                                          grpc::ByteBuffer* response) override;
+  grpc::ServerUnaryReactor* Assess(grpc::CallbackServerContext* context,
+                                   const grpc::ByteBuffer* request,
+                                   grpc::ByteBuffer* response) override;
 
   grpc::ServerUnaryReactor* Sample(grpc::CallbackServerContext* context,
                                    const grpc::ByteBuffer* request,

@@ -25,5 +25,6 @@ Command add_render_command(CLI::App& app);
 Command add_fit_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
 Command add_put_command(CLI::App& app);
+Command add_assess_command(CLI::App& app);
 
 }  // namespace gonio::cli
