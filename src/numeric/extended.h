@@ -36,6 +36,9 @@ struct LongDouble {
   friend LongDouble select(ScalarMask m, LongDouble a, LongDouble b) { return m.m ? a : b; }
   friend LongDouble min(LongDouble a, LongDouble b) { return b.v < a.v ? b : a; }
   friend LongDouble max(LongDouble a, LongDouble b) { return a.v < b.v ? b : a; }
+  friend LongDouble multiply_add(LongDouble a, LongDouble b, LongDouble c) {
+    return a.v * b.v + c.v;
+  }
   friend LongDouble sum_of_products(LongDouble a, LongDouble b, LongDouble c, LongDouble d) {
     return a.v * b.v + c.v * d.v;
   }
@@ -83,6 +86,7 @@ struct Extended {
   using Real = LongDouble;
   using Mask = ScalarMask;
   using Out = long double;
+  using Power = LongDouble;  // x
   static constexpr bool kQuick = false;
 
   // That of double: what is beyond is cut off there by every precision.
@@ -99,7 +103,8 @@ struct Extended {
     return w.v / s.v * std::log1p(s.v / std::max(c.v, 1e-4900L)) * kLog2E;
   }
   static LongDouble angle(LongDouble y, LongDouble x) { return std::atan2(y.v, x.v); }
-  static LongDouble times_exp2(LongDouble a, LongDouble x) { return a.v * std::exp2(x.v); }
+  static Power exp2(LongDouble x) { return x; }
+  static LongDouble times_exp2(LongDouble a, Power x) { return a.v * std::exp2(x.v); }
 };
 
 }  // namespace gonio
