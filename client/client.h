@@ -38,10 +38,12 @@
 #include <string_view>
 
 #include "base/result.h"
+#include "client/assess.h"
 #include "client/fit.h"
 #include "client/grid.h"
 #include "client/material.h"
 #include "client/models.h"
+#include "client/put.h"
 #include "client/sampling.h"
 #include "client/types.h"
 
@@ -204,6 +206,21 @@ class Client {
   // says. Data that say nothing are no error: the verdict is then `failed`, with the reason.
   Result<FitResult> fit(const FitData& data, const Material& form, const FitOptions& options = {},
                         const FitWatch& watch = {}) const;
+
+  // Stores a measured material, the content of a MERL `.binary` file, on the server under `name`
+  // (1 to 100 letters, digits, '-' and '_'), by which it can then be evaluated, sampled and fitted.
+  // It is there as a whole or not at all, and never replaced: to put the same bytes again under
+  // their name is no error and changes nothing, so that an upload that a failing connection lost is
+  // begun again. Errors: invalid_argument for a bad name, already_exists for one that is taken,
+  // resource_exhausted for more than the server keeps, data_loss for what is no such file or came
+  // damaged; `cancelled` if the watch stops it.
+  Result<PutReport> put_material(std::string_view name, std::string_view content,
+                                 const PutWatch& watch = {}) const;
+
+  // Runs the material through the places where methods fail: see client/assess.h. Takes about a
+  // second. A bad verdict is no error. Errors: limits out of bounds, and what the server says.
+  [[nodiscard]] Result<Assessment> assess(const Material& material,
+                                          const AssessOptions& options = {}) const;
 
  private:
   struct State;

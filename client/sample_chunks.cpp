@@ -72,7 +72,8 @@ Result<std::optional<OutgoingChunk>> SampleCallbackSource<T>::next(std::size_t l
     if (next_ == end_) return std::optional<OutgoingChunk>{};
   }
   const auto samples = static_cast<std::size_t>(std::min<std::uint64_t>(end_ - next_, limit));
-  const grpc::Slice wi(wi_.data(), wi_.size() * sizeof(T));
+  const grpc::Slice wi = allocate_slice(wi_.size() * sizeof(T));  // the sink reads it as numbers
+  std::copy(wi_.begin(), wi_.end(), writable<T>(wi));
   OutgoingChunk chunk{first_wi_ * per_wi_ + next_, samples,
                       wire::SampleSlices{wi, {}, std::is_same_v<T, double>},
                       run_of(first_wi_, next_, samples)};

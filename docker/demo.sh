@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # From a machine with nothing installed to real answers: installs, builds, starts goniod, has four materials evaluated for
-# a million pairs of directions each through the command line, and draws their lobes. Takes some minutes the first time.
+# a million pairs of directions each through the command line, draws their lobes, and fits models to the measured one. Takes
+# some minutes the first time.
 #
 #   docker/demo.sh [RESULTS]       RESULTS: a folder for what is made, default out/demo
 #
@@ -8,7 +9,7 @@
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 case ${1:-} in
-  -h | --help) sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  -h | --help) sed -n '2,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
 esac
 mkdir -p "${1:-$top/out/demo}"
 results=$(cd "${1:-$top/out/demo}" && pwd)
@@ -57,12 +58,12 @@ data=${GONIO_DATA:-}
 if [ -r "$data/merl/npf.bin" ]; then
   measured=yellow-phenolic
   label="yellow phenolic\\n{/*0.8 measured}"
-  GONIO_DATA=$data "$bin/make_merl" "$materials/$measured.binary" "$measured"
+  GONIO_DATA=$data "$bin/make_merl" "$results/$measured.binary" "$measured"
   echo "$measured: measured, from $data/merl"
 else
   measured=glossy-example
   label="glossy example\\n{/*0.8 table in the MERL layout}"
-  "$bin/make_merl" "$materials/$measured.binary"
+  "$bin/make_merl" "$results/$measured.binary"
   echo "$measured: generated, as \$GONIO_DATA names no folder with merl/npf.bin"
 fi
 tests/data/make_pairs.py "$pairs" "$seed" "$results/pairs.npy"
@@ -79,6 +80,8 @@ for ((tries = 0; ; ++tries)); do
   sleep 0.1
 done
 cat "$results/models.txt"
+# The measured material is sent to the server, which stores it in its folder.
+"$bin/gonio" put "$measured" "$results/$measured.binary"
 
 step "5. Evaluate $pairs pairs of each material"
 # Reads the line that `gonio evaluate -v` reports on stderr into a row of the table.
@@ -104,7 +107,15 @@ step "6. Draw the lobes"
 tests/figures/polar_lobes.sh "$results/polar_lobes.png" "$measured" "$label"
 echo "$results/polar_lobes.png"
 
-step "7. What was done"
+step "7. Fit models to $measured, on the server, and compare"
+"$bin/gonio" fit --data "$measured" --model cook_torrance,ggx,phong_mix -o "$results/fitted.json" \
+  --report "$results/fit.json" --report "$results/fit.md"
+echo
+"$bin/gonio" compare --reference "$results/$measured.binary" --material "$results/fitted.json" \
+  --slices "$results/fit_slices.png" --render "$results/fit_spheres.png"
+echo "all that is known of the fits: $results/fit.md; the best beside what is measured: $results/fit_slices.png, $results/fit_spheres.png"
+
+step "8. What was done"
 cat "$table"
 echo
 echo "seconds: one gonio evaluate, reading and writing its files included; kernel: the server's BRDF code alone, summed over its threads"

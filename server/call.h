@@ -14,7 +14,7 @@
 #include "base/happens_before.h"
 #include "base/result.h"
 #include "engine/thread_pool.h"
-#include "server/fit_queue.h"
+#include "server/background_queue.h"
 #include "server/materials.h"
 #include "server/memory_budget.h"
 #include "server/work.h"
@@ -30,19 +30,20 @@ namespace gonio {
 
 // Where fits run, and for how long one may.
 struct FitBackend {
-  FitQueue& queue;
+  BackgroundQueue& queue;
   std::chrono::milliseconds longest;
 };
 
 // References to what outlives every call. Thread safety: all of it may be used from any thread.
 struct Backend {
-  const Materials& materials;
+  Materials& materials;
   ThreadPool& pool;
   std::size_t max_message_bytes;
   std::size_t max_queued_jobs;
   spdlog::logger& logger;
   MemoryBudget& memory;
   FitBackend fits;
+  BackgroundQueue& puts;  // where uploads are checked and stored
 
   // gRPC makes calls after a server's start, and ends its shutdown after the last of them: what was
   // done with the backend before server_begins() is over at call_begins(), and what a call did

@@ -4,6 +4,7 @@
 #include <grpcpp/server_context.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "base/happens_before.h"
@@ -145,14 +146,15 @@ void FitCall::tick() {
     if (end_) return;
   }
   pump(true);
-  // Weak: the alarm belongs to the call.
-  happens_before(&alarm_);
-  alarm_.Set(Clock::now() + kInterval, [weak = weak_from_this()](bool) {
-    const auto call = weak.lock();
-    if (!call) return;
-    happens_after(&call->alarm_);
-    call->tick();
-  });
+  // Weak: the alarm belongs to the call. gRPC calls back after Set(); the name for that is not the
+  // call's, which is not known to be there before the lock.
+  static const char alarms = 0;
+  std::function<void(bool)> again = [weak = weak_from_this()](bool) {
+    happens_after(&alarms);
+    if (const auto call = weak.lock()) call->tick();
+  };
+  happens_before(&alarms);
+  alarm_.Set(Clock::now() + kInterval, std::move(again));
 }
 
 void FitCall::OnWriteDone(bool ok) {

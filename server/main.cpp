@@ -20,6 +20,7 @@ struct Arguments {
   gonio::ServerOptions server;
   std::size_t max_message_mb = 64;
   std::size_t memory_quota_mb = 1024;
+  std::size_t put_quota_mb = 1024;
   double longest_fit_seconds = 600;
   double lame_duck_seconds = 0.5;
   double grace_seconds = 5;
@@ -33,8 +34,10 @@ void describe_service(CLI::App& app, gonio::ServerOptions& server) {
          "-l,--listen", server.addresses,
          "Where to listen: host:port (0 takes a free port) or unix:/path; several are allowed")
       ->capture_default_str();
-  app.add_option("-m,--materials", server.materials,
-                 "Serve every material .json and MERL .binary of this folder under its name")
+  app.add_option(
+         "-m,--materials", server.materials,
+         "Serve every material .json and MERL .binary of this folder under its name; if it can "
+         "be written to, materials that clients put go there, else into memory")
       ->type_name("DIR");
   app.add_option("-t,--threads", server.threads, "Compute threads; 0: one per processor")
       ->check(CLI::Range(0, 1024))
@@ -54,6 +57,11 @@ void describe_limits(CLI::App& app, Arguments& arguments) {
                  "What requests and answers may hold, and gRPC's buffers beside them, in MiB each; "
                  "at least --max-message-mb")
       ->check(CLI::Range(1, 1 << 20))
+      ->capture_default_str();
+  app.add_option(
+         "--put-quota-mb", arguments.put_quota_mb,
+         "What materials that clients put may hold, all together, in MiB; 0: none are taken")
+      ->check(CLI::Range(0, 1 << 20))
       ->capture_default_str();
   app.add_option(
          "--lame-duck", arguments.lame_duck_seconds,
@@ -120,6 +128,7 @@ sigset_t block_stop_signals() {
 int serve(Arguments& arguments, const sigset_t& signals) {
   arguments.server.max_message_bytes = arguments.max_message_mb << 20;
   arguments.server.memory_quota_bytes = arguments.memory_quota_mb << 20;
+  arguments.server.put_quota_bytes = arguments.put_quota_mb << 20;
   arguments.server.longest_fit = to_milliseconds(arguments.longest_fit_seconds);
   arguments.server.lame_duck = to_milliseconds(arguments.lame_duck_seconds);
   arguments.server.logger = gonio::make_logger(arguments.log_level, arguments.log_format == "json"

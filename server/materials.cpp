@@ -105,7 +105,7 @@ Outcome Materials::add(const fs::path& folder, const fs::path& file) {
   if (!can_be_sent(name)) return unreadable(file, "the file's name is not UTF-8");
   auto material = load_file(folder, file);
   if (!material) return within(file, material.error());
-  stored_.emplace(name, std::move(*material));
+  stored_.emplace(name, Stored{std::move(*material), std::nullopt, {}});
   return Ok{};
 }
 
@@ -113,6 +113,7 @@ Result<Materials> Materials::load(const fs::path& folder) {
   const auto files = material_files(folder);
   if (!files) return files.error();
   Materials materials;
+  materials.folder_ = folder;
   for (const fs::path& file : *files) {
     const auto added = materials.add(folder, file);
     if (!added) return added.error();
@@ -125,23 +126,26 @@ void Materials::allow_local_files() {
 }
 
 std::vector<std::string> Materials::names() const {
+  const std::shared_lock lock(locks_->stored);
   std::vector<std::string> names;
   names.reserve(stored_.size());
-  for (const auto& [name, material] : stored_) names.push_back(name);
+  for (const auto& [name, stored] : stored_) names.push_back(name);
   return names;
 }
 
 Result<PreparedMaterial> Materials::resolve(const std::optional<std::string>& bytes) const {
   if (!bytes) return build({});
   if (auto known = cache_->find(*bytes)) return *known;
+  if (auto known = local_files_->find(*bytes)) return *known;
   const auto fit = wire::check_material_size(bytes->size());
   if (!fit) return fit.error();
   v1::Material material;
   if (!material.ParseFromString(*bytes)) {
     return bad_value("material", "not a " + material.GetTypeName(), "the bytes of one");
   }
+  if (find_file_ && material.model() == kMeasuredModel) return build_local(material, *bytes);
   auto built = build(material);
-  if (built && !(find_file_ && material.model() == kMeasuredModel)) cache_->keep(*bytes, *built);
+  if (built) cache_->keep(*bytes, *built);
   return built;
 }
 
@@ -154,11 +158,29 @@ Result<PreparedMaterial> Materials::build(const v1::Material& material) const {
     if (!built) return built.error();
     return PreparedMaterial(std::move(*built));
   }
-  const auto found = stored_.find(material.name());
-  if (found != stored_.end()) return found->second;
+  {
+    const std::shared_lock lock(locks_->stored);
+    if (const Stored* stored = find(material.name())) return stored->material;
+  }
   return bad_value("material.name", "\"" + material.name() + "\"",
                    "a stored material, such as: " + near_names(material.name(), names()),
                    ErrorCode::not_found);
+}
+
+Result<PreparedMaterial> Materials::build_local(const v1::Material& material,
+                                                const std::string& bytes) const {
+  const auto& fields = material.parameters().fields();
+  const auto file = fields.find("file");
+  const auto state =
+      file == fields.end() ? std::nullopt : FileState::of(file->second.string_value());
+  auto built = build(material);
+  if (built && state) local_files_->keep(bytes, *state, *built);
+  return built;
+}
+
+const Materials::Stored* Materials::find(std::string_view name) const {
+  const auto found = stored_.find(name);
+  return found == stored_.end() ? nullptr : &found->second;
 }
 
 }  // namespace gonio

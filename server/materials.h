@@ -1,23 +1,39 @@
 // The materials that a server holds by name, and the way from a request's material to one that can
 // be evaluated.
 //
-// Thread safety: after load() and allow_local_files(), any thread.
+// Thread safety: after load(), allow_local_files() and allow_puts(), any thread.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <shared_mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
 #include "engine/material.h"
 #include "gonio/v1/material.pb.h"
 #include "server/build_material.h"
+#include "server/local_files.h"
 #include "server/material_cache.h"
+#include "wire/sha256.h"
 
 namespace gonio {
+
+// Where a material that a client put is kept.
+enum class PutPlace : std::uint8_t { folder, memory };
+
+struct PutResult {
+  PutPlace place = PutPlace::memory;
+  std::size_t invalid_cells = 0;
+  bool existed = false;  // the same bytes were put under this name before
+};
 
 class Materials {
  public:
@@ -32,7 +48,19 @@ class Materials {
   // Lets resolve() read files of this machine.
   void allow_local_files();
 
+  // Lets put() store materials, as long as their tables hold at most `quota_bytes` together.
+  void allow_puts(std::size_t quota_bytes);
+
   [[nodiscard]] std::vector<std::string> names() const;  // sorted
+
+  // Whether put() of this name and sum may succeed. Errors: invalid_argument for a name of other
+  // than 1 to 100 letters, digits, '-' and '_'; already_exists for one that is taken, unless by a
+  // put of the same bytes; resource_exhausted where the quota leaves no room.
+  [[nodiscard]] Outcome check_put(const std::string& name, const wire::Sha256Sum& sum) const;
+  // Stores a MERL file's content, of which `sum` is the SHA-256, under `name`: in the folder as a
+  // new file that appears as a whole, or in memory. Takes a while. Errors: those of check_put() and
+  // of the file ("chunk"), and what keeps the file from being written.
+  Result<PutResult> put(const std::string& name, std::string content, const wire::Sha256Sum& sum);
 
   // The material that a request asks for, by the serialised gonio.v1.Material in it (none if it has
   // none). Errors name the field as "material....".
@@ -40,13 +68,34 @@ class Materials {
 
  private:
   [[nodiscard]] Result<PreparedMaterial> build(const v1::Material& material) const;
+  // The same of a file of this machine.
+  [[nodiscard]] Result<PreparedMaterial> build_local(const v1::Material& material,
+                                                     const std::string& bytes) const;
   Outcome add(const std::filesystem::path& folder, const std::filesystem::path& file);
 
-  std::map<std::string, PreparedMaterial, std::less<>> stored_;
+  struct Stored {
+    PreparedMaterial material;
+    std::optional<wire::Sha256Sum> sum;  // of what was put
+    PutResult put;
+  };
+  // Apart, so that a Materials can be moved. Puts follow each other; only their last step, which
+  // takes no time, holds up requests.
+  struct Locks {
+    std::shared_mutex stored;
+    std::mutex putting;
+  };
+
+  [[nodiscard]] const Stored* find(std::string_view name) const;  // locks_->stored is held
+
+  std::map<std::string, Stored, std::less<>> stored_;
+  std::size_t put_bytes_ = 0, put_quota_ = 0;
+  std::filesystem::path folder_;  // empty: none
+  std::unique_ptr<Locks> locks_ = std::make_unique<Locks>();
   FindFile find_file_;
   // Stored materials never change, so that their names can be kept as well; files of this machine
   // may change.
   std::unique_ptr<MaterialCache> cache_ = std::make_unique<MaterialCache>();
+  std::unique_ptr<LocalFiles> local_files_ = std::make_unique<LocalFiles>();
 };
 
 }  // namespace gonio

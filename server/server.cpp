@@ -22,6 +22,7 @@ namespace gonio {
 namespace {
 
 constexpr int kMaxThreads = 1024;
+constexpr std::size_t kMaxPuts = 64;  // complete uploads that wait to be stored
 
 std::shared_ptr<spdlog::logger> logger_or_silence(const ServerOptions& options) {
   if (options.logger) return options.logger;
@@ -80,6 +81,7 @@ Result<Materials> load_materials(const ServerOptions& options) {
   Result<Materials> materials =
       options.materials.empty() ? Materials() : Materials::load(options.materials);
   if (materials && options.allow_local_files) materials->allow_local_files();
+  if (materials) materials->allow_puts(options.put_quota_bytes);
   return materials;
 }
 
@@ -93,8 +95,9 @@ struct Server::State {
         memory(given.memory_quota_bytes),
         pool(threads_of(given), given.max_queued_jobs),
         fits(given.fit_threads, given.max_fits),
+        puts(1, kMaxPuts),
         service({materials, pool, given.max_message_bytes, given.max_queued_jobs, *logger, memory,
-                 FitBackend{fits, given.longest_fit}}) {}
+                 FitBackend{fits, given.longest_fit}, puts}) {}
 
   Outcome listen(const std::vector<Address>& addresses);
   void stop(std::chrono::milliseconds grace);
@@ -103,8 +106,8 @@ struct Server::State {
   std::shared_ptr<spdlog::logger> logger;
   Materials materials;
   MemoryBudget memory;
-  ThreadPool pool;  // outlived by nothing that uses it: the calls end with `grpc`
-  FitQueue fits;    // likewise
+  ThreadPool pool;             // outlived by nothing that uses it: the calls end with `grpc`
+  BackgroundQueue fits, puts;  // likewise
   Service service;
   std::unique_ptr<grpc::Server> grpc;
   std::vector<SocketFile> socket_files;

@@ -37,6 +37,10 @@ struct ServerOptions {
   std::size_t memory_quota_bytes = std::size_t{1} << 30;
   // Every *.json and *.binary in it is served under its stem; empty for none.
   std::filesystem::path materials = {};
+  // What materials that clients put may hold, all together since the start; one more is refused.
+  // They go into the `materials` folder if there is one that can be written to, else into memory.
+  // 0: none are taken.
+  std::size_t put_quota_bytes = std::size_t{1} << 30;
   // Lets a request name a file of this machine: {"model": "measured", "parameters": {"file":
   // "x.binary"}}. Only for a server that is private to one user.
   bool allow_local_files = false;

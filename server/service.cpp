@@ -2,10 +2,12 @@
 
 #include <utility>
 
+#include "server/assess_call.h"
 #include "server/evaluation.h"
 #include "server/fit_call.h"
 #include "server/integration.h"
 #include "server/list_models.h"
+#include "server/put_call.h"
 #include "server/sampling.h"
 #include "server/stream_call.h"
 #include "server/unary_call.h"
@@ -71,6 +73,19 @@ grpc::ServerWriteReactor<grpc::ByteBuffer>* Service::Fit(grpc::CallbackServerCon
                                                          const grpc::ByteBuffer* request) {
   backend_.call_begins();
   return FitCall::start(backend_, *context, *request);
+}
+
+grpc::ServerReadReactor<grpc::ByteBuffer>* Service::PutMaterial(
+    grpc::CallbackServerContext* context, grpc::ByteBuffer* response) {
+  backend_.call_begins();
+  return PutCall::start(backend_, *context, *response);
+}
+
+grpc::ServerUnaryReactor* Service::Assess(grpc::CallbackServerContext* context,
+                                          const grpc::ByteBuffer* request,
+                                          grpc::ByteBuffer* response) {
+  backend_.call_begins();
+  return AssessCall::start(backend_, *context, *request, *response);
 }
 
 }  // namespace gonio

@@ -16,8 +16,10 @@ using RawEvaluate = WireService::WithRawCallbackMethod_Evaluate<
 using RawSample = WireService::WithRawCallbackMethod_Sample<
     WireService::WithRawCallbackMethod_SampleStream<RawEvaluate>>;
 using RawFit = WireService::WithRawCallbackMethod_Fit<RawSample>;
+using RawPut = WireService::WithRawCallbackMethod_PutMaterial<RawFit>;
+using RawAssess = WireService::WithRawCallbackMethod_Assess<RawPut>;
 using RawService = WireService::WithCallbackMethod_ListModels<
-    WireService::WithRawCallbackMethod_Integrate<RawFit>>;
+    WireService::WithRawCallbackMethod_Integrate<RawAssess>>;
 
 class Service final : public RawService {
  public:
@@ -34,6 +36,11 @@ class Service final : public RawService {
       grpc::CallbackServerContext* context) override;
   grpc::ServerWriteReactor<grpc::ByteBuffer>* Fit(grpc::CallbackServerContext* context,
                                                   const grpc::ByteBuffer* request) override;
+  grpc::ServerReadReactor<grpc::ByteBuffer>* PutMaterial(grpc::CallbackServerContext* context,
+                                                         grpc::ByteBuffer* response) override;
+  grpc::ServerUnaryReactor* Assess(grpc::CallbackServerContext* context,
+                                   const grpc::ByteBuffer* request,
+                                   grpc::ByteBuffer* response) override;
 
   grpc::ServerUnaryReactor* Sample(grpc::CallbackServerContext* context,
                                    const grpc::ByteBuffer* request,

@@ -6,7 +6,6 @@
 #include "wire/convert.h"
 
 namespace gonio {
-namespace {
 
 Result<Isa> choose_isa(v1::InstructionSet asked) {
   if (asked == v1::INSTRUCTION_SET_UNSPECIFIED) return best_isa();
@@ -18,8 +17,6 @@ Result<Isa> choose_isa(v1::InstructionSet asked) {
   return bad_value("instruction_set", std::string(name_of(*isa)),
                    "what this server's processor has: " + supported);
 }
-
-}  // namespace
 
 template <class Head>
 Result<Settings> settings_of(const Head& head) {

@@ -33,6 +33,9 @@ struct Settings {
   }
 };
 
+// UNSPECIFIED is the best of the processor. Errors: what the enum does not have, or the processor.
+Result<Isa> choose_isa(v1::InstructionSet asked);
+
 // `Head`: a request's message. Errors: what the enums do not have, or the processor.
 template <class Head>
 Result<Settings> settings_of(const Head& head);

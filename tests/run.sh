@@ -87,6 +87,7 @@ run_step() {
     release) build release all && run_tests release ;;
     asan)
       export ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1
+      export LSAN_OPTIONS=suppressions=$PWD/tests/lsan_suppressions.txt:print_suppressions=0
       sanitize asan numeric models measured engine wire server client cli ;;
     tsan)
       # Debian's gRPC is not built for this sanitizer, which therefore sees none of the atomics by which it hands something from

@@ -5,15 +5,15 @@
 #include <utility>
 
 #include "client/cli/commands.h"
+#include "client/cli/compare_pictures.h"
+#include "client/cli/comparison.h"
+#include "client/cli/connection.h"
 #include "client/cli/exit_codes.h"
 #include "client/cli/fit_table.h"
-#include "client/cli/material_argument.h"
-#include "client/cli/measured_input.h"
+#include "client/cli/output_file.h"
 #include "client/cli/text.h"
-#include "engine/material_impl.h"
+#include "client/lobe/slices.h"
 #include "fit/metrics.h"
-#include "measured/table.h"
-#include "server/materials.h"
 
 namespace gonio::cli {
 namespace {
@@ -25,37 +25,22 @@ for both angles up to 80 degrees, and for the rest. Below each material: what is
 material reflects within 25 degrees of the mirror direction, so near to the light, and elsewhere, as
 parts of all that is measured. Works in this process.
 
-Example:
-  gonio compare --reference nickel.binary --material cook_torrance.json ggx.json)";
+Pictures: --slices draws the measurements in the plane of incidence as dots and the materials as lines, at 30, 60
+and 80 degrees, or what is measured within 5 degrees of them. --render draws a sphere of what is measured
+(a MERL .binary: scattered pairs cannot be evaluated) beside one of each material, in two lights.
+
+Examples:
+  gonio compare --reference nickel.binary --material cook_torrance.json ggx.json
+  gonio compare --reference nickel.binary --material ggx.json --slices slices.png --render spheres.png)";
+
+constexpr std::size_t kMostSpheres = 7;
 
 struct CompareArguments {
   std::string reference;
   std::vector<std::string> materials;
   bool degrees = false;
+  std::string slices, render;  // empty: none
 };
-
-Result<Material> build(const Materials& materials, const std::string& argument) {
-  const auto material = read_material(argument, true);
-  if (!material) return material.error();
-  auto built = materials.resolve(material->wire());
-  if (!built) return built.error();
-  return built->material();
-}
-
-Result<fit::Data> read_reference(const CompareArguments& arguments, const Materials& materials) {
-  const auto input = read_measured(arguments.reference, true, arguments.degrees);
-  if (!input) return input.error();
-  if (input->measured) {
-    const auto material = materials.resolve(input->measured->wire());
-    if (!material) return material.error();
-    return fit::from_table(*material->material().impl().table);
-  }
-  const auto wide = [](const std::vector<float>& x) {
-    return std::vector<double>(x.begin(), x.end());
-  };
-  return fit::from_pairs(wide(input->wi), wide(input->wo), wide(input->values), input->channels,
-                         wide(input->weights));
-}
 
 client::FitErrors cells(const fit::Errors& errors) {
   return {errors.l1, errors.rmse, errors.log, errors.cbrt, errors.pairs};
@@ -77,31 +62,65 @@ std::string row(const std::string& name, const fit::Comparison& comparison, std:
          region("elsewhere", regions.elsewhere) + "\n";
 }
 
-Outcome check_channels(const std::string& name, const Material& material, const fit::Data& data) {
-  if (material.channels() == 1 || material.channels() == data.channels) return Ok{};
-  return bad_value("--material " + name,
-                   "a material of " + std::to_string(material.channels()) + " channels",
-                   "1 or " + std::to_string(data.channels) + ", those of the reference");
+std::string table_of(const Comparison& comparison) {
+  constexpr std::size_t kName = 28;
+  const fit::Data& data = comparison.data;
+  std::string text = std::to_string(data.size()) + " pairs, " +
+                     std::to_string(data.left_out.total()) + " left out\n\n" + error_head(kName) +
+                     "\n";
+  for (const Compared& one : comparison.compared)
+    text += row(one.name, fit::compare(one.material, data, 0), kName);
+  return text;
+}
+
+Outcome check_picture(const std::string& option, const std::string& file, std::size_t materials,
+                      std::size_t most) {
+  if (file.empty()) return Ok{};
+  if (std::filesystem::path(file).extension() != ".png")
+    return bad_value(option, "\"" + file + "\"", "a file that ends in .png");
+  if (materials <= most) return Ok{};
+  return bad_value("--material", std::to_string(materials) + " materials, with " + option,
+                   "1 to " + std::to_string(most));
+}
+
+Outcome check(const CompareArguments& arguments) {
+  const std::size_t materials = arguments.materials.size();
+  auto good = check_picture("--slices", arguments.slices, materials, lobe::kMostLines);
+  return good ? check_picture("--render", arguments.render, materials, kMostSpheres) : good;
+}
+
+Outcome write(const std::string& file, const Result<std::string>& png) {
+  if (!png) return png.error();
+  auto output = OutputFile::open(file);
+  if (!output) return output.error();
+  const auto written = output->write(*png);
+  return written ? output->commit() : written;
+}
+
+Outcome draw_spheres(const CompareArguments& arguments, const Comparison& comparison) {
+  if (!comparison.input.measured) {
+    return bad_value("--reference", "\"" + arguments.reference + "\", with --render",
+                     "a MERL .binary: scattered measurements cannot be evaluated between them");
+  }
+  auto connection = Connection::open({});
+  if (!connection) return connection.error();
+  return write(arguments.render, spheres_png(shown_name(arguments.reference), connection->client,
+                                             *comparison.input.measured, comparison.compared));
 }
 
 int run(const CompareArguments& arguments) {
-  Materials materials;
-  materials.allow_local_files();
-  const auto data = read_reference(arguments, materials);
-  if (!data) return fail(data.error());
-  constexpr std::size_t kName = 28;
-  std::string text = std::to_string(data->size()) + " pairs, " +
-                     std::to_string(data->left_out.total()) + " left out\n\n" + error_head(kName) +
-                     "\n";
-  for (const std::string& argument : arguments.materials) {
-    const auto material = build(materials, argument);
-    if (!material) return fail(material.error());
-    if (auto agree = check_channels(argument, *material, *data); !agree) return fail(agree.error());
-    const bool json = argument.find('{') != std::string::npos;
-    const std::string name = json ? argument : std::filesystem::path(argument).filename().string();
-    text += row(name, fit::compare(*material, *data, 0), kName);
+  if (auto good = check(arguments); !good) return fail(good.error());
+  const auto comparison =
+      read_comparison(arguments.reference, arguments.materials, arguments.degrees);
+  if (!comparison) return fail(comparison.error());
+  Outcome drawn = Ok{};
+  if (!arguments.slices.empty()) {
+    drawn = write(arguments.slices, slices_png(shown_name(arguments.reference), comparison->data,
+                                               comparison->compared));
   }
-  std::fputs(text.c_str(), stdout);
+  if (drawn && !arguments.render.empty()) drawn = draw_spheres(arguments, *comparison);
+  if (!drawn) return fail(drawn.error());
+  std::fputs(table_of(*comparison).c_str(), stdout);
   return exit_ok;
 }
 
@@ -121,6 +140,10 @@ Command add_compare_command(CLI::App& app) {
       ->type_name("M...")
       ->required();
   command->add_flag("--deg", arguments->degrees, "Angles of a CSV are in degrees");
+  command->add_option("--slices", arguments->slices, "Where a picture of slices goes, a .png")
+      ->type_name("OUT");
+  command->add_option("--render", arguments->render, "Where a picture of spheres goes, a .png")
+      ->type_name("OUT");
   return {command, [arguments] { return run(*arguments); }};
 }
 

@@ -8,6 +8,7 @@ ExitCode exit_code_of(const Error& error) {
   switch (error.code) {
     case ErrorCode::invalid_argument:
     case ErrorCode::not_found:
+    case ErrorCode::already_exists:
     case ErrorCode::data_loss:
       return exit_bad_input;
     case ErrorCode::resource_exhausted:  // with a bound it is too large, else the server is too

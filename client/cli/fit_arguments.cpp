@@ -11,7 +11,8 @@ namespace gonio::cli {
 namespace {
 
 constexpr const char* kFooter = R"(
-Data, by the file's extension:
+Data: with --server, the name of a measured material that the server holds ('gonio put'); else a file, by its
+extension:
   .binary         MERL's table of half and difference angles
   .brdf           Cornell's text: wavelengths, then theta_i phi_i theta_s phi_s and a value for each
   .dat, .alta     ALTA's text, with the parametrisation ISOTROPIC_TL_TV_PROJ_DPHI
@@ -36,7 +37,7 @@ Exit status 1 if every verdict is failed; then nothing is written with -o.
 
 Examples:
   gonio fit --data nickel.binary --model cook_torrance --max-theta 80 -o nickel.json
-  gonio fit --data paint.brdf --model all --report report.json)";
+  gonio fit --data paint.brdf --model all --report report.json --report report.md)";
 
 void add_what(CLI::App& command, FitArguments& arguments) {
   command.add_option("--data", arguments.data, "The measurements (see below)")
@@ -140,8 +141,12 @@ void add_fit_options(CLI::App& command, FitArguments& arguments) {
       .add_option("-o,--output", arguments.output, "Where the material's JSON goes; - is stdout")
       ->type_name("OUT");
   command
-      .add_option("--report", arguments.report, "Where all that is known of the fits goes, as JSON")
-      ->type_name("OUT");
+      .add_option(
+          "--report", arguments.reports,
+          "Where all that is known of the fits goes: JSON, or a page for people if OUT ends "
+          "in .md; may be given for each")
+      ->type_name("OUT")
+      ->allow_extra_args(false);
   add_connection_options(command, arguments.connection);
   command.add_flag("--quiet,-q", arguments.quiet, "No progress bar and no table");
 }

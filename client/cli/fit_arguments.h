@@ -24,7 +24,8 @@ struct FitArguments {
   bool anisotropic = false;
   bool polish = false;
   bool quiet = false;
-  std::string output, report;  // empty: none
+  std::string output;                // empty: none
+  std::vector<std::string> reports;  // of each kind at most one
 };
 
 void add_fit_options(CLI::App& command, FitArguments& arguments);

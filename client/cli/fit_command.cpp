@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "client/cli/commands.h"
 #include "client/cli/exit_codes.h"
 #include "client/cli/fit_arguments.h"
+#include "client/cli/fit_page.h"
 #include "client/cli/fit_table.h"
 #include "client/cli/json.h"
 #include "client/cli/measured_input.h"
@@ -17,6 +19,19 @@
 
 namespace gonio::cli {
 namespace {
+
+// A file; or, on a server, the name of one of its materials: no extension and no such file here.
+Result<MeasuredInput> read_data(const FitArguments& arguments) {
+  const bool embedded = arguments.connection.server.empty();
+  const std::filesystem::path path = arguments.data;
+  std::error_code ignored;
+  const bool name = !path.has_parent_path() && !path.has_extension() && arguments.data != "-" &&
+                    !std::filesystem::exists(path, ignored);
+  if (embedded || !name) return read_measured(arguments.data, embedded, arguments.degrees);
+  MeasuredInput input;
+  input.measured = client::Material::named(arguments.data);
+  return input;
+}
 
 // How much of a fit is done when a stage begins, from the time that stages take.
 double part_before(const std::string& stage) {
@@ -75,23 +90,48 @@ std::string report_of(const std::vector<NamedFit>& fits, const FitArguments& arg
   return text + "]}\n";
 }
 
-// Opened before the fit: what cannot be written shows before the work.
-Result<std::optional<OutputFile>> open_output(const std::string& file) {
-  if (file.empty()) return std::optional<OutputFile>();
-  auto output = OutputFile::open(file);
-  if (!output) return output.error();
-  return std::optional<OutputFile>(std::move(*output));
+// Where the results go. Opened before the fit: what cannot be written shows before the work.
+struct Outputs {
+  std::optional<OutputFile> material;
+  std::vector<OutputFile> reports;
+  std::vector<bool> pages;  // which of them are for people
+};
+
+Result<Outputs> open_outputs(const FitArguments& arguments) {
+  Outputs outputs;
+  if (!arguments.output.empty()) {
+    auto file = OutputFile::open(arguments.output);
+    if (!file) return file.error();
+    outputs.material.emplace(std::move(*file));
+  }
+  for (const std::string& report : arguments.reports) {
+    auto file = OutputFile::open(report);
+    if (!file) return file.error();
+    outputs.reports.push_back(std::move(*file));
+    outputs.pages.push_back(std::filesystem::path(report).extension() == ".md");
+  }
+  return outputs;
 }
 
-Outcome write(std::optional<OutputFile>& output, const std::string& text) {
-  if (!output) return Ok{};
-  if (auto written = output->write(text); !written) return written;
-  return output->commit();
+Outcome write(OutputFile& output, const std::string& text) {
+  if (auto written = output.write(text); !written) return written;
+  return output.commit();
+}
+
+// The reports in any case, the material if there is one.
+Outcome write_all(Outputs& outputs, const std::vector<NamedFit>& fits, const NamedFit* best,
+                  const FitArguments& arguments) {
+  for (std::size_t i = 0; i < outputs.reports.size(); ++i) {
+    const auto written = write(outputs.reports[i], outputs.pages[i] ? fit_page(fits, arguments)
+                                                                    : report_of(fits, arguments));
+    if (!written) return written;
+  }
+  if (!outputs.material || best == nullptr) return Ok{};
+  return write(*outputs.material, best->result.material.to_json() + "\n");
 }
 
 int run(const FitArguments& arguments) {
-  auto input =
-      read_measured(arguments.data, arguments.connection.server.empty(), arguments.degrees);
+  auto input = read_data(arguments);
   if (!input) return fail(input.error());
   auto connection = Connection::open(arguments.connection);
   if (!connection) return fail(connection.error());
@@ -99,18 +139,17 @@ int run(const FitArguments& arguments) {
   if (!catalogue) return fail(catalogue.error());
   const auto forms = fit_forms(arguments, *catalogue);
   if (!forms) return fail(forms.error());
-  auto output = open_output(arguments.output), report = open_output(arguments.report);
-  if (!output) return fail(output.error());
-  if (!report) return fail(report.error());
+  auto outputs = open_outputs(arguments);
+  if (!outputs) return fail(outputs.error());
 
   const auto fits = fit_all(connection->client, input->data(), *forms, arguments);
   if (!fits) return fail(fits.error());
   const NamedFit* best = best_of(*fits);
-  Outcome written = write(*report, report_of(*fits, arguments));
-  if (written && best != nullptr) written = write(*output, best->result.material.to_json() + "\n");
-  if (!written) return fail(written.error());
+  if (auto written = write_all(*outputs, *fits, best, arguments); !written)
+    return fail(written.error());
   // The table must not stand among what is read from standard output.
-  const bool taken = arguments.output == "-" || arguments.report == "-";
+  const bool taken = arguments.output == "-" ||
+                     std::count(arguments.reports.begin(), arguments.reports.end(), "-") > 0;
   if (!arguments.quiet) std::fputs(fit_table(*fits).c_str(), taken ? stderr : stdout);
   return best != nullptr ? exit_ok : exit_failed;
 }

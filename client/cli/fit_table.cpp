@@ -55,6 +55,8 @@ std::vector<std::string> parameter_words(const std::vector<client::FitParameter>
   return words;
 }
 
+}  // namespace
+
 std::string left_out_line(const client::FitCertificate& certificate) {
   const client::FitLeftOut& out = certificate.left_out;
   std::vector<std::string> words;
@@ -69,8 +71,6 @@ std::string left_out_line(const client::FitCertificate& certificate) {
   std::string line = std::to_string(certificate.pairs) + " pairs";
   return words.empty() ? line : line + "; left out: " + joined(words, ", ");
 }
-
-}  // namespace
 
 std::string error_head(std::size_t width) {
   std::string measures(width, ' '), zones(width, ' ');

@@ -88,6 +88,50 @@ void Canvas::text(Spot at, const std::string& words, double size, Align align,
   cairo_show_text(context_.get(), words.c_str());
 }
 
+// Shortened in the middle of UTF-8 only between its characters.
+std::string Canvas::shortened(const std::string& words, double size, double width) {
+  if (text_width(words, size) <= width) return words;
+  std::string text = words;
+  while (!text.empty() && text_width(text + "…", size) > width) {
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) {
+      text.pop_back();
+    }
+    if (!text.empty()) text.pop_back();
+  }
+  return text + "…";
+}
+
+void Canvas::picture(int left, int top, int width, std::span<const std::uint8_t> rgb) {
+  std::vector<std::uint32_t> pixels;
+  for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) {
+    pixels.push_back((std::uint32_t{rgb[i]} << 16U) | (std::uint32_t{rgb[i + 1]} << 8U) |
+                     std::uint32_t{rgb[i + 2]});
+  }
+  const int height = static_cast<int>(pixels.size()) / width;
+  cairo_surface_t* source = cairo_image_surface_create_for_data(
+      reinterpret_cast<unsigned char*>(pixels.data()), CAIRO_FORMAT_RGB24, width, height,
+      static_cast<int>(sizeof(std::uint32_t)) * width);
+  cairo_set_source_surface(context_.get(), source, left, top);
+  cairo_rectangle(context_.get(), left, top, width, height);
+  cairo_fill(context_.get());
+  cairo_surface_destroy(source);
+}
+
+void Canvas::dot(Spot centre, double radius, const Colour& colour) {
+  cairo_new_path(context_.get());
+  cairo_arc(context_.get(), centre.x, centre.y, radius, 0, 2 * std::numbers::pi);
+  cairo_set_source_rgba(context_.get(), colour.red, colour.green, colour.blue, colour.alpha);
+  cairo_fill(context_.get());
+}
+
+void Canvas::clip(const std::optional<std::array<Spot, 2>>& corners) {
+  cairo_reset_clip(context_.get());
+  if (!corners) return;
+  const auto& [from, to] = *corners;
+  cairo_rectangle(context_.get(), from.x, from.y, to.x - from.x, to.y - from.y);
+  cairo_clip(context_.get());
+}
+
 void Canvas::disc(int left, int top, int side, std::span<const Colour> pixels) {
   std::vector<std::uint32_t> packed_pixels(pixels.size());
   std::transform(pixels.begin(), pixels.end(), packed_pixels.begin(), packed);

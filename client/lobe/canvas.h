@@ -2,8 +2,10 @@
 // upper left corner. Thread safety: used by one thread.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,6 +44,14 @@ class Canvas {
   // At half the height of a capital letter, `at` is the left, middle or right of the text.
   void text(Spot at, const std::string& words, double size, Align align, const Colour& colour);
   [[nodiscard]] double text_width(const std::string& words, double size);
+  // `words`, or as many of them as have room, and then an ellipsis.
+  [[nodiscard]] std::string shortened(const std::string& words, double size, double width);
+  // A picture of three bytes a pixel, row by row, its upper left corner at a whole pixel.
+  void picture(int left, int top, int width, std::span<const std::uint8_t> rgb);
+  // A filled circle.
+  void dot(Spot centre, double radius, const Colour& colour);
+  // Until the next call, nothing is drawn outside of the rectangle; without one, everything is.
+  void clip(const std::optional<std::array<Spot, 2>>& corners);
   // A square of side x side pixels, its upper left corner at a whole pixel; only the circle in it
   // is painted.
   void disc(int left, int top, int side, std::span<const Colour> pixels);

@@ -62,6 +62,8 @@ class Batch {
   std::vector<Rgb> values_;
 };
 
+}  // namespace
+
 std::vector<double> angles_around(double mirror) {
   std::vector<double> angles;
   const int steps = static_cast<int>(std::lround(90 / kStep));
@@ -74,8 +76,6 @@ std::vector<double> angles_around(double mirror) {
   std::sort(angles.begin(), angles.end());
   return angles;
 }
-
-}  // namespace
 
 Result<Curve> curve_of(const Incidence& incidence, render::Evaluator& evaluator) {
   Batch batch(incidence, evaluator);

@@ -22,6 +22,9 @@ struct Curve {
   std::vector<image::Rgb> values;
 };
 
+// These angles.
+std::vector<double> angles_around(double mirror);
+
 Result<Curve> curve_of(const Incidence& incidence, render::Evaluator& evaluator);
 
 // The hemisphere as seen from above, the mirror's direction to the right: a square of side x side

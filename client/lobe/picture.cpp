@@ -82,18 +82,6 @@ std::string number(double value) {
   return text.data();
 }
 
-// Shortened in the middle of UTF-8 only between its characters.
-std::string fitted(Canvas& canvas, std::string text, double size, double width) {
-  if (canvas.text_width(text, size) <= width) return text;
-  while (!text.empty() && canvas.text_width(text + "…", size) > width) {
-    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) {
-      text.pop_back();
-    }
-    if (!text.empty()) text.pop_back();
-  }
-  return text + "…";
-}
-
 void draw_title(Canvas& canvas, const Layout& layout, const PictureOptions& options) {
   const double size = layout.style.text();
   const double y = layout.top + layout.style.radius * kTitle / 2 + 0.2 * size;
@@ -105,7 +93,7 @@ void draw_title(Canvas& canvas, const Layout& layout, const PictureOptions& opti
   const double right = options.width - margin;
   canvas.text({right, y}, what, size, Align::right, kInk);
   const double room = right - margin - canvas.text_width(what, size) - 2 * size;
-  canvas.text({margin, y}, fitted(canvas, options.title, size, room), size, Align::left, kInk);
+  canvas.text({margin, y}, canvas.shortened(options.title, size, room), size, Align::left, kInk);
 }
 
 }  // namespace

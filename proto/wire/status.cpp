@@ -13,6 +13,8 @@ grpc::StatusCode status_code(ErrorCode code) {
       return grpc::StatusCode::INVALID_ARGUMENT;
     case ErrorCode::not_found:
       return grpc::StatusCode::NOT_FOUND;
+    case ErrorCode::already_exists:
+      return grpc::StatusCode::ALREADY_EXISTS;
     case ErrorCode::data_loss:
       return grpc::StatusCode::DATA_LOSS;
     case ErrorCode::resource_exhausted:
@@ -36,6 +38,8 @@ ErrorCode error_code(int code) {
       return ErrorCode::invalid_argument;
     case grpc::StatusCode::NOT_FOUND:
       return ErrorCode::not_found;
+    case grpc::StatusCode::ALREADY_EXISTS:
+      return ErrorCode::already_exists;
     case grpc::StatusCode::DATA_LOSS:
       return ErrorCode::data_loss;
     case grpc::StatusCode::RESOURCE_EXHAUSTED:

@@ -16,6 +16,7 @@ namespace gonio {
 enum class ErrorCode {
   invalid_argument,    // the request is wrong whatever the state of the service
   not_found,           // a model, material or file that does not exist
+  already_exists,      // a name that is taken
   data_loss,           // a file that is truncated or corrupt
   resource_exhausted,  // too large, or the queue is full: smaller or later may work
   cancelled,

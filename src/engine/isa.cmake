@@ -11,12 +11,12 @@ if(GONIO_SANITIZE)
   # Fully inlined packets multiply what a sanitizer adds: minutes a file. Memory and races are checked through calls, without
   # debug information, and in the widest set only, which has the most lanes to overrun a buffer with: the source is the same
   # for all. Undefined behaviour of scalars is checked everywhere else.
-  list(APPEND KERNEL_FLAGS -O1 -g0)
+  set(SANITIZED_FLAGS -O1 -g0 -fno-omit-frame-pointer -U__SANITIZE_THREAD__)
   if(GONIO_SANITIZE MATCHES "address")
-    set(SANITIZED_FLAGS -fsanitize=address --param=asan-instrumentation-with-call-threshold=0 --param=asan-stack=0
-                        -fno-sanitize-address-use-after-scope)
+    list(APPEND SANITIZED_FLAGS -fsanitize=address --param=asan-instrumentation-with-call-threshold=0 --param=asan-stack=0
+                         -fno-sanitize-address-use-after-scope)
   elseif(GONIO_SANITIZE MATCHES "thread")
-    set(SANITIZED_FLAGS -fsanitize=thread)
+    list(APPEND SANITIZED_FLAGS -fsanitize=thread)
   endif()
 endif()
 set(FLAGS_baseline)

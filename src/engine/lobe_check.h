@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/result.h"
 #include "engine/material.h"
@@ -23,6 +24,9 @@ struct CheckedLobe {
   std::size_t kind;  // see prepare()
   ParameterValues<double> values;
 };
+
+// The word of the parameter `name`, as its kind has it; empty if the model has no such word.
+std::string_view word_of(const CheckedLobe& lobe, std::string_view name);
 
 Result<CheckedLobe> check_lobe(const NamedLobe& lobe, ChannelCount& channels);
 

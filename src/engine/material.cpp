@@ -41,8 +41,9 @@ ErrorBound worse(const ErrorBound& a, const ErrorBound& b) {
 
 void add_part(Material::Impl& material, const CheckedLobe& lobe) {
   PreparedLobe prepared = prepare(*lobe.model, lobe.kind, lobe.values, material.channels);
-  material.parts.push_back(
-      {MaterialPart::Source::analytic, prepared.kernel, std::move(prepared.constants)});
+  material.parts.push_back({MaterialPart::Source::analytic, prepared.kernel,
+                            std::move(prepared.constants),
+                            std::make_shared<const CheckedLobe>(lobe)});
   material.fast = worse(material.fast, lobe.model->fast);
   material.reference = worse(material.reference, lobe.model->reference);
   material.bytes += prepared.bytes;

@@ -16,6 +16,8 @@ struct MaterialPart {
   Source source = Source::analytic;
   std::size_t kernel = 0;
   std::shared_ptr<const void> constants;
+  // What the constants were made of; null for tables and derivatives.
+  std::shared_ptr<const CheckedLobe> lobe = {};
 
   // Not for derivatives, which have kernels of their own.
   [[nodiscard]] const KernelSet& kernels(const KernelTable& table) const {

@@ -27,4 +27,8 @@ PreparedLobe prepare_derivative(const ModelDescription& model, std::size_t kind,
                                 const ParameterValues<double>& values, int channels,
                                 std::string_view by);
 
+// The same in long double, for truth: a Constants<Kind, LongDouble>.
+PreparedLobe prepare_extended(const ModelDescription& model, std::size_t kind,
+                              const ParameterValues<double>& values, int channels);
+
 }  // namespace gonio

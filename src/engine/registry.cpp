@@ -8,6 +8,7 @@
 #include "engine/prepare.h"
 #include "models/all.h"
 #include "numeric/dual.h"
+#include "numeric/extended.h"
 
 namespace gonio {
 namespace {
@@ -121,6 +122,14 @@ PreparedLobe prepare_derivative(const ModelDescription& model, std::size_t kind,
     seeded.set(name, std::move(duals));
   }
   return prepare_as(model, kind, seeded, channels);
+}
+
+PreparedLobe prepare_extended(const ModelDescription& model, std::size_t kind,
+                              const ParameterValues<double>& values, int channels) {
+  ParameterValues<LongDouble> extended;
+  for (const auto& [name, numbers] : values.all())
+    extended.set(name, {numbers.begin(), numbers.end()});
+  return prepare_as(model, kind, extended, channels);
 }
 
 }  // namespace gonio

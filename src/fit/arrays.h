@@ -1,14 +1,19 @@
-// Functions of whole arrays, several numbers at a time.
+// Functions of whole arrays, many numbers at a time; their errors are those of array_kernels.h.
 #pragma once
 
 #include <Eigen/Core>
 
+#include "fit/array_kernels.h"
+
 namespace gonio::fit {
 
-// To about 1e-15; 0 where x is below 1e-30, whose root has an infinite slope nearby: 1e-10.
-template <class Derived>
-auto cube_root(const Eigen::ArrayBase<Derived>& x) {
-  return (x.max(1e-30).log() / 3).exp();
+inline Eigen::ArrayXd log_1p(Eigen::ArrayXd x) {
+  array_kernels().log_1p(x.data(), static_cast<std::size_t>(x.size()), x.data());
+  return x;
+}
+inline Eigen::ArrayXd cube_root(Eigen::ArrayXd x) {
+  array_kernels().cube_root(x.data(), static_cast<std::size_t>(x.size()), x.data());
+  return x;
 }
 
 }  // namespace gonio::fit

@@ -1,6 +1,10 @@
 // The default strategy. A single descent from one guess finds the best optimum of one start in six;
 // a scan of the few shape parameters with all colours solved exactly, then descents from its most
 // distinct nodes, found it in all of 2,400.
+//
+// The caller's guess is one more start. It cannot harm: what the others lead to does not depend on
+// it, and it is taken only where its own end is better. Nor is it ignored: its descent goes on with
+// more pairs like the best of the others, unless it came to where one of them is.
 #include <algorithm>
 #include <array>
 
@@ -13,21 +17,26 @@ namespace {
 constexpr std::array kCoarse{0.1, 0.01};
 constexpr std::array kFine{0.01, 0.001};
 constexpr double kAgree = 1.01;
-constexpr std::size_t kFinalists = 2;
+constexpr std::size_t kFinalists = 2;  // beside the guess
 // A descent that ends so much above the best on the scan's pairs is not the best on more pairs.
 constexpr double kHopeless = 1.03;
+// Nor does the last stage of smoothing make up for this.
+constexpr double kBehind = 1.005;
 constexpr int kScanPasses = 3;
 
 struct Candidate {
   std::vector<double> parameters;
   double objective;
+  bool given;  // from the caller's guess?
 };
 
-// Descends on the scan's pairs from the guess and the nodes.
+// Descends on the scan's pairs from the nodes, the models' own start and the guess.
 std::vector<Candidate> descend(const SearchInput& input, const Form& form, Problem& problem,
                                std::vector<Node> nodes, Search& search) {
   const double begin = cpu_seconds();
-  nodes.push_back(solve_node(problem, guess_of(form), kScanPasses));
+  nodes.push_back(solve_node(problem, start_of(form), kScanPasses));
+  const std::size_t own = nodes.size();
+  if (has_guess(form)) nodes.push_back(solve_node(problem, guess_of(form), kScanPasses));
   std::vector<Candidate> ends;
   double best = 1e300;
   int iterations = 0;
@@ -37,9 +46,9 @@ std::vector<Candidate> descend(const SearchInput& input, const Form& form, Probl
     const Minimum end = minimise_by_stages(problem, nodes[i].parameters, kCoarse, options);
     const double objective = problem.cost(end.parameters, true, input.watch.stop);
     iterations += end.iterations;
-    search.starts.push_back({i + 1 == nodes.size(), natural(form, nodes[i].parameters),
+    search.starts.push_back({i >= own, natural(form, nodes[i].parameters),
                              natural(form, end.parameters), objective, false});
-    ends.push_back({end.parameters, objective});
+    ends.push_back({end.parameters, objective, search.starts.back().given});
   }
   const auto least = std::min_element(
       ends.begin(), ends.end(),
@@ -65,17 +74,24 @@ bool same(const Form& form, const Candidate& a, const Candidate& b) {
   return true;
 }
 
+// The best distinct ends of all others and, last, the guess's if it is another.
 std::vector<Candidate> finalists(const Form& form, const std::vector<Candidate>& sorted) {
   std::vector<Candidate> chosen;
-  for (const Candidate& end : sorted) {
-    if (chosen.size() == kFinalists || end.objective > kHopeless * sorted.front().objective) break;
-    const bool known = std::any_of(chosen.begin(), chosen.end(),
-                                   [&](const Candidate& c) { return same(form, c, end); });
-    if (!known) chosen.push_back(end);
-  }
+  const auto choose = [&](bool given, std::size_t most) {
+    for (const Candidate& end : sorted) {
+      if (end.given != given || chosen.size() >= most) continue;
+      if (!chosen.empty() && end.objective > kHopeless * chosen.front().objective) continue;
+      const bool known = std::any_of(chosen.begin(), chosen.end(),
+                                     [&](const Candidate& c) { return same(form, c, end); });
+      if (!known) chosen.push_back(end);
+    }
+  };
+  choose(false, kFinalists);
+  choose(true, kFinalists + 1);
   return chosen;
 }
 
+// One after the other on more pairs, each to its end unless it stays behind those before.
 void refine(const SearchInput& input, const std::vector<Candidate>& from, Search& search) {
   const double begin = cpu_seconds();
   const Data pairs = subset(input.data, input.options.fit_pairs, input.options.seed);
@@ -85,9 +101,14 @@ void refine(const SearchInput& input, const std::vector<Candidate>& from, Search
   for (const Candidate& candidate : from) {
     MinimiseOptions options = minimise_options(input.watch, "fit", 25, shown);
     options.tolerance = 1e-5;
-    Minimum end = minimise_by_stages(problem, candidate.parameters, kFine, options);
-    const double objective = problem.cost(end.parameters, true, input.watch.stop);
-    iterations += end.iterations;
+    Minimum end{candidate.parameters, 0, 0, true};
+    double objective = 1e300;
+    for (const double part : kFine) {
+      end = minimise_by_stages(problem, end.parameters, {&part, 1}, options);
+      objective = problem.cost(end.parameters, true, input.watch.stop);
+      iterations += end.iterations;
+      if (objective > kBehind * best || !problem.loss().absolute()) break;
+    }
     if (!(objective < best)) continue;
     best = objective;
     search.parameters = std::move(end.parameters);

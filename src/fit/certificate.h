@@ -28,7 +28,7 @@ struct Stage {
 
 // One descent on the scan's pairs, by its shape parameters (in the order of Certificate::shapes).
 struct Start {
-  bool given = false;  // the caller's guess; otherwise a node of the scan
+  bool given = false;  // the caller's guess; else a node of the scan, or the models' own start
   std::vector<double> from, to;
   double objective = 0;
   bool agrees = false;  // within 1 % of the best

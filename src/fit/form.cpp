@@ -1,7 +1,6 @@
 #include "fit/form.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -62,41 +61,6 @@ Columns columns_of(const CheckedLobe& lobe,
   return is("fresnel", "schlick") ? Columns::schlick : Columns::scaled;
 }
 
-// Where a refractive index is searched, and how closely it may come to 1: at 1 + 1e-3 a lobe's
-// reflectance is its limit for an index of 1 to a thousandth, and its scale still within bounds.
-constexpr double kLeastEta = 1 + 1e-3;
-// What is added to a logarithmic parameter that may be 0: near 0 its scale is linear.
-constexpr double kLogOffset = 1;
-
-constexpr double kLeastScannedExponent = 0.3;
-
-ShapeParameter shape_of(const Parameter& p, bool dielectric) {
-  ShapeParameter shape{};
-  shape.names = {std::string(p.name)};
-  shape.lower = p.lower;
-  shape.upper = p.upper;
-  shape.start = p.start;
-  shape.scale.logarithmic = p.scale == Scale::logarithmic;
-  if (shape.scale.logarithmic && p.lower <= 0) shape.scale.offset = -kLogOffset;
-  shape.scan_lower = p.lower;
-  shape.scan_upper = p.upper;
-  // At an exponent of 0 a lobe has no shape to descend by; a descent may still go there.
-  if (shape.scale.offset < 0) shape.scan_lower = kLeastScannedExponent;
-  if (p.name == "eta" && dielectric) {
-    shape.scale.offset = 1;
-    shape.lower = kLeastEta;
-    shape.scan_lower = 1.05;
-  } else if (p.name == "eta") {
-    shape.scan_lower = 0.1;
-    shape.scan_upper = 10;
-  } else if (p.name == "k") {
-    shape.scale = {true, -kLogOffset};
-    shape.scan_lower = 0;
-    shape.scan_upper = 10;
-  }
-  return shape;
-}
-
 double mean(const std::vector<double>& numbers) {
   return std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
 }
@@ -121,7 +85,6 @@ void add_shapes(const NamedLobe& named, const CheckedLobe& lobe,
   const bool dielectric = fresnel != words.end() && fresnel->second == "dielectric";
   for (const Parameter& p : lobe.model->parameters) {
     if (p.kind == Kind::word || is_colour(p) || !is_used(p, words)) continue;
-    const bool given = named.spec->parameters.contains(p.name);
     ShapeParameter* partner = options.anisotropic ? nullptr : tied_to(p.name, form.shapes, index);
     if (partner != nullptr) {
       partner->names.emplace_back(p.name);
@@ -130,9 +93,10 @@ void add_shapes(const NamedLobe& named, const CheckedLobe& lobe,
     ShapeParameter shape = shape_of(p, dielectric);
     shape.lobe = index;
     shape.field = named.prefix + "parameters." + std::string(p.name);
-    shape.given = given;
-    if (given) shape.start = mean(lobe.values.all().find(p.name)->second);
-    shape.start = std::clamp(shape.start, shape.lower, shape.upper);
+    if (named.spec->parameters.contains(p.name)) {
+      const double given = mean(lobe.values.all().find(p.name)->second);
+      shape.guess = std::clamp(given, shape.lower, shape.upper);
+    }
     form.shapes.push_back(std::move(shape));
   }
 }
@@ -182,10 +146,6 @@ void add_lobe(const NamedLobe& named, const CheckedLobe& checked, const FormOpti
 }
 
 }  // namespace
-
-double SearchScale::to_parameter(double u) const { return logarithmic ? offset + std::exp(u) : u; }
-double SearchScale::to_search(double p) const { return logarithmic ? std::log(p - offset) : p; }
-double SearchScale::slope(double u) const { return logarithmic ? std::exp(u) : 1; }
 
 void set_shapes(const Form& form, std::size_t lobe, std::span<const double> shapes, LobeSpec& to) {
   for (std::size_t i = 0; i < form.shapes.size(); ++i) {

@@ -18,27 +18,9 @@
 
 #include "base/result.h"
 #include "engine/material.h"
+#include "fit/shape.h"
 
 namespace gonio::fit {
-
-// The scale in which a shape parameter is searched: p = offset + exp(u), or p = u.
-struct SearchScale {
-  bool logarithmic = false;
-  double offset = 0;
-  [[nodiscard]] double to_parameter(double u) const;
-  [[nodiscard]] double to_search(double p) const;
-  [[nodiscard]] double slope(double u) const;  // dp/du
-};
-
-struct ShapeParameter {
-  std::size_t lobe;                // whose parameter it is
-  std::vector<std::string> names;  // one, or two that are held equal (alpha_x and alpha_y)
-  std::string field;               // as errors name it, e.g. "specular[0].parameters.m"
-  SearchScale scale;
-  double lower, upper, start;     // of the parameter
-  double scan_lower, scan_upper;  // where a scan looks
-  bool given = false;             // is `start` the caller's?
-};
 
 struct FormLobe {
   // Where its coefficients come from and go to.

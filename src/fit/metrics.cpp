@@ -25,7 +25,7 @@ struct Terms {
   Terms(const Eigen::ArrayXd& f, const Eigen::ArrayXd& m)
       : measured(m),
         absolute((f - m).abs()),
-        log(((1 + f).log() - (1 + m).log()).abs()),
+        log((log_1p(f) - log_1p(m)).abs()),
         cbrt((cube_root(f) - cube_root(m)).square()) {}
   const Eigen::ArrayXd& measured;
   Eigen::ArrayXd absolute, log, cbrt;

@@ -1,9 +1,4 @@
 // Levenberg and Marquardt's minimisation within bounds, by Ceres.
-//
-// Ceres is given one block of as many residuals as there are parameters, and one more: a factor R
-// of the normal matrix (R'R = J'WJ), the residuals that have the same gradient, and what is left of
-// the cost. It takes the very steps that it would take on the whole, and neither it nor we ever
-// hold the Jacobian of a million pairs.
 #pragma once
 
 #include <span>
@@ -30,18 +25,14 @@ struct Minimum {
   bool converged = false;
 };
 
-// `lower` and `upper` bound all parameters, in the problem's own scale.
-Minimum minimise(const Problem& problem, std::span<const double> start,
-                 const MinimiseOptions& options);
-
 // The bounds of all parameters of a problem: shapes in search scale, then coefficients.
 struct Bounds {
   std::vector<double> lower, upper;
 };
 Bounds bounds_of(const Form& form, int channels);
 
-// L1 by stages: the smoothing is each of these parts of the mean residual in turn. Other losses
-// take one stage.
+// From `start`, brought within the bounds. L1 by stages: the smoothing is each of these parts of
+// the mean residual in turn. Other losses take one stage.
 Minimum minimise_by_stages(Problem& problem, std::span<const double> start,
                            std::span<const double> smooth_parts, const MinimiseOptions& options);
 

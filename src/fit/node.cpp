@@ -35,12 +35,10 @@ class Channel {
     work_ = weight_ / (measured_ + (mean > 0 ? mean : 1));
     Eigen::VectorXd x;
     for (int pass = 0;; ++pass) {
-      weighted_ = columns_.colwise() * work_;
-      x = solve_bounded(columns_.matrix().transpose() * weighted_.matrix(),
-                        weighted_.matrix().transpose() * measured_.matrix(),
-                        form.coefficient_upper);
+      x = solve_squares(form.coefficient_upper);
       if (quadratic()) set_columns(x[0]);
-      predicted_.matrix().noalias() = columns_.matrix() * x;
+      predicted_ = columns_.col(0) * x[0];
+      for (Eigen::Index k = 1; k < x.size(); ++k) predicted_ += columns_.col(k) * x[k];
       residual_ = difference();
       if (pass + 1 >= passes) break;
       reweigh();
@@ -71,10 +69,24 @@ class Channel {
     }
   }
 
+  // Few long columns: products of one with one beat a general product, which would pack them first.
+  Eigen::VectorXd solve_squares(std::span<const double> upper) {
+    const Eigen::Index n = columns_.cols();
+    Eigen::MatrixXd square(n, n);
+    Eigen::VectorXd right(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      weighted_ = columns_.col(i) * work_;
+      right[i] = weighted_.matrix().dot(measured_.matrix());
+      for (Eigen::Index j = 0; j <= i; ++j)
+        square(i, j) = square(j, i) = weighted_.matrix().dot(columns_.col(j).matrix());
+    }
+    return solve_bounded(square, right, upper);
+  }
+
   [[nodiscard]] Eigen::ArrayXd difference() const {
     switch (problem_.loss().objective) {
       case Objective::log:
-        return (1 + predicted_).log() - transformed_;
+        return log_1p(predicted_) - transformed_;
       case Objective::cbrt:
         return cube_root(predicted_) - transformed_;
       default:
@@ -114,8 +126,8 @@ class Channel {
   Eigen::Map<const Eigen::ArrayXd> weight_, cosine_, transformed_;
   const Basis& basis_;
   std::span<const float> values_;
-  Eigen::ArrayXXd columns_, weighted_;
-  Eigen::ArrayXd measured_, predicted_, residual_, work_;
+  Eigen::ArrayXXd columns_;
+  Eigen::ArrayXd measured_, predicted_, residual_, work_, weighted_;
 };
 
 }  // namespace

@@ -6,7 +6,8 @@
 namespace gonio::fit {
 
 std::string_view name_of(Objective objective) {
-  constexpr std::array<std::string_view, 5> kNames{"l1", "l2", "huber", "log", "cbrt"};
+  constexpr std::array<std::string_view, kObjectiveCount> kNames{"l1", "l2", "huber", "log",
+                                                                 "cbrt"};
   return kNames[static_cast<std::size_t>(objective)];
 }
 

@@ -13,6 +13,7 @@
 namespace gonio::fit {
 
 enum class Objective : std::uint8_t { l1, l2, huber, log, cbrt };
+inline constexpr int kObjectiveCount = 5;
 
 std::string_view name_of(Objective objective);  // "l1", "l2", "huber", "log", "cbrt"
 

@@ -4,17 +4,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "fit/arrays.h"
+#include "fit/array_kernels.h"
+#include "fit/columns.h"
 
 namespace gonio::fit {
-namespace {
-
-bool is_quadratic(const FormLobe& lobe) {
-  return lobe.columns == FormLobe::Columns::quadratic_diffuse;
-}
-
-}  // namespace
-
 // One channel's pairs of a tile: reflectance, residuals, and the weighted Jacobian's rows.
 struct Problem::Rows {
   Eigen::ArrayXd f, residual, slope, root;  // root: of the least-squares weight
@@ -60,82 +53,21 @@ void Problem::visit(std::span<const double> parameters, bool derivatives, const 
   }
 }
 
-void Problem::reflectance(const Basis& basis, std::size_t count,
-                          std::span<const double> coefficients, Eigen::ArrayXd& f) const {
-  const auto n = static_cast<Eigen::Index>(count);
-  f.setZero(n);
-  for (const FormLobe& lobe : form_.lobes) {
-    for (std::size_t k = 0; k < lobe.column_count; ++k) {
-      const double x = coefficients[lobe.first_coefficient + (is_quadratic(lobe) ? 0 : k)];
-      const Eigen::Map<const Eigen::ArrayXd> column(
-          &basis.values[(lobe.first_column + k) * basis.stride], n);
-      f += (is_quadratic(lobe) && k == 1 ? x * x : x) * column;
-    }
-  }
-}
-
-// Fills residual and slope, and returns the weighted sum of losses.
+// Fills residual, slope and root, and returns the weighted sum of losses.
 double Problem::residuals(Tile tile, int channel, const Loss& loss, Rows& rows) const {
   const auto n = static_cast<Eigen::Index>(tile.count);
-  const Eigen::Map<const Eigen::ArrayXd> cosine(&cosines_[tile.first], n);
-  const Eigen::Map<const Eigen::ArrayXd> weight(&weights_[tile.first], n);
-  const Eigen::Map<const Eigen::ArrayXd> measured(&this->measured(channel)[tile.first], n);
-  if (loss.objective == Objective::log) {
-    rows.residual = (1 + rows.f * cosine).log() - measured;
-    rows.slope = cosine / (1 + rows.f * cosine);
-  } else if (loss.objective == Objective::cbrt) {
-    rows.residual = cube_root(rows.f * cosine);
-    rows.slope = cosine / (3 * rows.residual.square());
-    rows.residual -= measured;
-  } else {
-    rows.residual = rows.f * cosine - measured;
-    rows.slope = cosine;
-  }
-  if (loss.absolute()) {
-    rows.root = (rows.residual.square() + loss.smooth * loss.smooth).sqrt();
-    const double sum = (weight * rows.root).sum();
-    rows.root = (weight / rows.root.max(1e-300)).sqrt();
-    return sum;
-  }
-  if (loss.objective == Objective::huber) {
-    const Eigen::ArrayXd size = rows.residual.abs();
-    const Eigen::ArrayXd inner = size.min(loss.threshold);
-    rows.root = (weight * inner / size.max(1e-300)).sqrt();
-    return (weight * inner * (size - 0.5 * inner)).sum();
-  }
-  rows.root = weight.sqrt();
-  return 0.5 * (weight * rows.residual.square()).sum();
-}
-
-void Problem::fill_jacobian(const Basis& basis, std::size_t count,
-                            std::span<const double> coefficients, Rows& rows) const {
-  const auto n = static_cast<Eigen::Index>(count);
-  const auto shapes = static_cast<Eigen::Index>(form_.shapes.size());
-  rows.jacobian.resize(n, shapes + static_cast<Eigen::Index>(form_.coefficients));
-  const auto column = [&](std::size_t k) {
-    return Eigen::Map<const Eigen::ArrayXd>(&basis.values[k * basis.stride], n);
-  };
-  rows.slope *= rows.root;
-  for (Eigen::Index p = 0; p < shapes; ++p) {
-    const FormLobe& lobe = form_.lobes[form_.shapes[static_cast<std::size_t>(p)].lobe];
-    Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(n);
-    for (std::size_t k = 0; k < lobe.column_count; ++k) {
-      const double x = coefficients[lobe.first_coefficient + (is_quadratic(lobe) ? 0 : k)];
-      const std::size_t at = static_cast<std::size_t>(p) * form_.columns + lobe.first_column + k;
-      sum += (is_quadratic(lobe) && k == 1 ? x * x : x) *
-             Eigen::Map<const Eigen::ArrayXd>(&basis.derivatives[at * basis.stride], n);
-    }
-    rows.jacobian.col(p) = (sum * rows.slope).matrix();
-  }
-  for (const FormLobe& lobe : form_.lobes) {
-    for (std::size_t k = 0; k < lobe.coefficient_count; ++k) {
-      const std::size_t j = lobe.first_coefficient + k;
-      auto target = rows.jacobian.col(shapes + static_cast<Eigen::Index>(j)).array();
-      target = column(lobe.first_column + k) * rows.slope;
-      if (is_quadratic(lobe))
-        target += 2 * coefficients[j] * column(lobe.first_column + 1) * rows.slope;
-    }
-  }
+  for (Eigen::ArrayXd* result : {&rows.residual, &rows.slope, &rows.root}) result->resize(n);
+  const ResidualRun run{tile.count,
+                        rows.f.data(),
+                        &cosines_[tile.first],
+                        &weights_[tile.first],
+                        &measured(channel)[tile.first],
+                        loss.smooth,
+                        loss.threshold,
+                        rows.residual.data(),
+                        rows.slope.data(),
+                        rows.root.data()};
+  return array_kernels().residuals[static_cast<std::size_t>(loss.objective)](run);
 }
 
 // A channel's rows touch the shapes and its own coefficients only.
@@ -167,7 +99,7 @@ double Problem::cost(std::span<const double> parameters, bool exact, const Stop&
   double sum = 0;
   visit(parameters, false, stop,
         [&](const Basis& basis, Tile tile, int c, std::span<const double> coefficients) {
-          reflectance(basis, tile.count, coefficients, rows.f);
+          sum_columns(form_, basis, tile.count, coefficients, rows.f);
           sum += residuals(tile, c, loss, rows);
         });
   return sum;
@@ -180,10 +112,11 @@ void Problem::visit_rows(std::span<const double> parameters, const Stop& stop,
   visit(parameters, true, stop,
         [&](const Basis& basis, Tile tile, int c, std::span<const double> coefficients) {
           const auto n = static_cast<Eigen::Index>(tile.count);
-          reflectance(basis, tile.count, coefficients, rows.f);
+          sum_columns(form_, basis, tile.count, coefficients, rows.f);
           residuals(tile, c, loss_, rows);
           rows.root.setOnes(n);
-          fill_jacobian(basis, tile.count, coefficients, rows);
+          rows.slope *= rows.root;
+          derive_columns(form_, basis, tile.count, coefficients, rows.slope, rows.jacobian);
           given.first = tile.first;
           given.channel = c;
           given.weight = Eigen::Map<const Eigen::ArrayXd>(&weights_[tile.first], n);
@@ -200,7 +133,7 @@ double Problem::mean_residual(std::span<const double> parameters, const Stop& st
   double sum = 0;
   visit(parameters, false, stop,
         [&](const Basis& basis, Tile tile, int c, std::span<const double> coefficients) {
-          reflectance(basis, tile.count, coefficients, rows.f);
+          sum_columns(form_, basis, tile.count, coefficients, rows.f);
           residuals(tile, c, loss, rows);
           const Eigen::Map<const Eigen::ArrayXd> weight(&weights_[tile.first],
                                                         static_cast<Eigen::Index>(tile.count));
@@ -215,9 +148,10 @@ Equations Problem::equations(std::span<const double> parameters, const Stop& sto
   Rows rows;
   visit(parameters, true, stop,
         [&](const Basis& basis, Tile tile, int c, std::span<const double> coefficients) {
-          reflectance(basis, tile.count, coefficients, rows.f);
+          sum_columns(form_, basis, tile.count, coefficients, rows.f);
           result.cost += residuals(tile, c, loss_, rows);
-          fill_jacobian(basis, tile.count, coefficients, rows);
+          rows.slope *= rows.root;
+          derive_columns(form_, basis, tile.count, coefficients, rows.slope, rows.jacobian);
           rows.weighted = (rows.residual * rows.root).matrix();
           add(rows, c, result);
         });

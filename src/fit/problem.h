@@ -70,11 +70,7 @@ class Problem {
   template <class Visit>
   void visit(std::span<const double> parameters, bool derivatives, const Stop& stop,
              const Visit& visit) const;
-  void reflectance(const Basis& basis, std::size_t count, std::span<const double> coefficients,
-                   Eigen::ArrayXd& f) const;
   double residuals(Tile tile, int channel, const Loss& loss, Rows& rows) const;
-  void fill_jacobian(const Basis& basis, std::size_t count, std::span<const double> coefficients,
-                     Rows& rows) const;
   void add(const Rows& rows, int channel, Equations& to) const;
 
   const Form& form_;

@@ -1,8 +1,11 @@
 #include "fit/scores.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace gonio::fit {
 namespace {
@@ -41,35 +44,72 @@ double curvature(const Loss& loss, double e, double width) {
   return 1;
 }
 
-}  // namespace
+// The rows of a channel among all parameters: the shapes' and its own.
+std::vector<Eigen::Index> places_of(const Problem& problem, int channel) {
+  const std::size_t shapes = problem.form().shapes.size(), own = problem.form().coefficients;
+  std::vector<Eigen::Index> places(shapes + own);
+  std::iota(places.begin(), places.end(), Eigen::Index{0});
+  for (std::size_t k = shapes; k < places.size(); ++k)
+    places[k] += static_cast<Eigen::Index>(own) * channel;
+  return places;
+}
 
-Sandwich sandwich_at(const Problem& problem, std::span<const double> parameters, const Stop& stop) {
+Eigen::MatrixXd curvature_at(const Problem& problem, std::span<const double> parameters,
+                             const Stop& stop) {
   NoiseByLevel noise;
-  if (problem.loss().absolute())
+  const Loss& loss = problem.loss();
+  if (loss.absolute())
     problem.visit_rows(parameters, stop, [&](const PairRows& rows) { noise.add(rows); });
   const auto n = static_cast<Eigen::Index>(parameters.size());
-  const auto shapes = static_cast<Eigen::Index>(problem.form().shapes.size());
-  const auto own = static_cast<Eigen::Index>(problem.form().coefficients);
-  Sandwich sums{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};
-  Eigen::MatrixXd scores;  // a row a pair, all channels together
-  const Loss& loss = problem.loss();
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
   problem.visit_rows(parameters, stop, [&](const PairRows& rows) {
-    const Eigen::Index count = rows.residual.size(), at = shapes + own * rows.channel;
-    if (rows.channel == 0) scores.setZero(count, n);
-    Eigen::ArrayXd score(count), curve(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const double e = rows.residual[i];
-      score[i] = rows.weight[i] * (e == 0 ? 0 : e * loss.weight(e));
-      curve[i] = rows.weight[i] * curvature(loss, e, noise.width(rows.predicted[i]));
-    }
-    const Eigen::MatrixXd weighted = curve.matrix().asDiagonal() * rows.jacobian;
-    const Eigen::MatrixXd square = rows.jacobian.transpose() * weighted;
-    sums.curvature.topLeftCorner(shapes, shapes) += square.topLeftCorner(shapes, shapes);
-    sums.curvature.block(0, at, shapes, own) += square.topRightCorner(shapes, own);
-    sums.curvature.block(at, 0, own, shapes) += square.bottomLeftCorner(own, shapes);
-    sums.curvature.block(at, at, own, own) += square.bottomRightCorner(own, own);
-    scores.leftCols(shapes) += score.matrix().asDiagonal() * rows.jacobian.leftCols(shapes);
-    scores.middleCols(at, own) += score.matrix().asDiagonal() * rows.jacobian.rightCols(own);
+    Eigen::ArrayXd curve = rows.weight;
+    for (Eigen::Index i = 0; i < curve.size(); ++i)
+      curve[i] *= curvature(loss, rows.residual[i], noise.width(rows.predicted[i]));
+    const auto places = places_of(problem, rows.channel);
+    sum(places, places) +=
+        rows.jacobian.transpose() * (curve.matrix().asDiagonal() * rows.jacobian);
+  });
+  return sum;
+}
+
+// w loss'(e) of each pair, divided by 1 - h where the loss is smooth.
+Eigen::ArrayXd scores_of(const PairRows& rows, const Loss& loss, const Eigen::MatrixXd& inverted) {
+  constexpr double kMostLeverage = 0.9;
+  Eigen::ArrayXd score = rows.weight;
+  for (Eigen::Index i = 0; i < score.size(); ++i) {
+    const double e = rows.residual[i];
+    score[i] *= e == 0 ? 0 : e * loss.weight(e);
+  }
+  if (loss.absolute()) return score;
+  const Eigen::ArrayXd leverage =
+      rows.weight * (rows.jacobian * inverted).cwiseProduct(rows.jacobian).rowwise().sum().array();
+  return score / (1 - leverage.min(kMostLeverage));
+}
+
+}  // namespace
+
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& H) {
+  const Eigen::ArrayXd diagonal = H.diagonal();
+  const Eigen::VectorXd scale = (diagonal > 1e-100).select(diagonal.max(1e-100).rsqrt(), 0);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * H *
+                                                             scale.asDiagonal());
+  const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(1e-10).cwiseInverse();
+  return scale.asDiagonal() * eigen.eigenvectors() * values.asDiagonal() *
+         eigen.eigenvectors().transpose() * scale.asDiagonal();
+}
+
+Sandwich sandwich_at(const Problem& problem, std::span<const double> parameters, const Stop& stop) {
+  const auto n = static_cast<Eigen::Index>(parameters.size());
+  Sandwich sums{curvature_at(problem, parameters, stop), Eigen::MatrixXd::Zero(n, n)};
+  if (!sums.curvature.allFinite()) return sums;
+  const Eigen::MatrixXd inverted = inverse(sums.curvature);
+  Eigen::MatrixXd scores;  // a row a pair, all channels together
+  problem.visit_rows(parameters, stop, [&](const PairRows& rows) {
+    if (rows.channel == 0) scores.setZero(rows.residual.size(), n);
+    const auto places = places_of(problem, rows.channel);
+    const Eigen::ArrayXd score = scores_of(rows, problem.loss(), inverted(places, places));
+    scores(Eigen::all, places) += score.matrix().asDiagonal() * rows.jacobian;
     if (rows.channel + 1 == problem.data().channels) sums.scatter += scores.transpose() * scores;
   });
   return sums;

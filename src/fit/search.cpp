@@ -11,10 +11,22 @@ double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+std::vector<double> start_of(const Form& form) {
+  std::vector<double> start;
+  for (const ShapeParameter& shape : form.shapes)
+    start.push_back(shape.scale.to_search(shape.start));
+  return start;
+}
+
+bool has_guess(const Form& form) {
+  return std::any_of(form.shapes.begin(), form.shapes.end(),
+                     [](const ShapeParameter& shape) { return shape.guess.has_value(); });
+}
+
 std::vector<double> guess_of(const Form& form) {
   std::vector<double> guess;
   for (const ShapeParameter& shape : form.shapes)
-    guess.push_back(shape.scale.to_search(shape.start));
+    guess.push_back(shape.scale.to_search(shape.guess.value_or(shape.start)));
   return guess;
 }
 

@@ -29,7 +29,9 @@ Search search_automatic(const SearchInput& input);
 Search search_staged(const SearchInput& input);
 
 // Helpers of both.
-std::vector<double> guess_of(const Form& form);  // the start's shapes, in search scale
+std::vector<double> start_of(const Form& form);  // the models' own shapes, in search scale
+bool has_guess(const Form& form);
+std::vector<double> guess_of(const Form& form);  // the caller's, completed by the models' own
 std::vector<double> natural(const Form& form, std::span<const double> parameters);
 MinimiseOptions minimise_options(const Watch& watch, std::string_view stage, int iterations,
                                  double& best);

@@ -50,7 +50,7 @@ Search search_staged(const SearchInput& input) {
   };
   run("shapes", moving(form, channels, true, false, false));
   run("shapes and lobes", moving(form, channels, true, true, false));
-  search.starts = {{true, natural(form, guess), natural(form, search.parameters),
+  search.starts = {{has_guess(form), natural(form, guess), natural(form, search.parameters),
                     search.stages.back().objective, true}};
   return input.options.polish ? polish(input, std::move(search)) : search;
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/registry.h"
+#include "fit/material_numbers.h"
 #include "fit/minimise.h"
 #include "fit/scores.h"
 
@@ -17,63 +17,6 @@ constexpr double kUnseen = 1e-3;
 constexpr double kTogether = 0.98;  // the least correlation that is reported
 constexpr double kTakesPart = 0.3;  // a parameter's least share in such a direction
 
-struct Named {
-  std::string field;
-  int channel;  // -1: of all
-  double value;
-  const Parameter* parameter;
-};
-
-// A material's numbers in the order of its lobes and their tables; words and colours that the fit
-// does not touch are left out.
-void append_numbers(const FormLobe& lobe, const LobeSpec& spec, int channels,
-                    std::vector<Named>& to) {
-  for (const Parameter& p : (*find_model(spec.model))->parameters) {
-    const auto found = spec.parameters.find(p.name);
-    if (p.kind == Kind::word || found == spec.parameters.end()) continue;
-    const auto& numbers = std::get<std::vector<double>>(found->second);
-    const bool shared = p.kind == Kind::number || p.name == "eta" || p.name == "k";
-    for (int c = 0; c < (shared ? 1 : channels); ++c) {
-      const double value = numbers[numbers.size() == 1 ? 0 : static_cast<std::size_t>(c)];
-      to.push_back({lobe.prefix + "parameters." + std::string(p.name), shared ? -1 : c, value, &p});
-    }
-  }
-}
-
-std::vector<Named> numbers_of(const Form& form, std::span<const double> parameters, int channels) {
-  const MaterialSpec spec = to_material(form, parameters, channels);
-  std::vector<Named> numbers;
-  std::size_t specular = 0;
-  for (const FormLobe& lobe : form.lobes) {
-    const LobeSpec& made = lobe.alone                  ? *spec.model
-                           : lobe.prefix == "diffuse." ? *spec.diffuse
-                                                       : spec.specular[specular++];
-    append_numbers(lobe, made, channels, numbers);
-  }
-  return numbers;
-}
-
-// What the material's numbers change by with the fit's parameters.
-Eigen::MatrixXd slopes(const Form& form, std::span<const double> parameters, int channels,
-                       const std::vector<Named>& numbers) {
-  Eigen::MatrixXd J(static_cast<Eigen::Index>(numbers.size()),
-                    static_cast<Eigen::Index>(parameters.size()));
-  std::vector<double> x(parameters.begin(), parameters.end());
-  for (std::size_t j = 0; j < x.size(); ++j) {
-    const double step = 1e-5 * std::max(std::abs(x[j]), 1e-3);
-    x[j] = parameters[j] + step;
-    const auto above = numbers_of(form, x, channels);
-    x[j] = parameters[j] - step;
-    const auto below = numbers_of(form, x, channels);
-    x[j] = parameters[j];
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      J(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-          (above[i].value - below[i].value) / (2 * step);
-    }
-  }
-  return J;
-}
-
 std::string field_of(const Form& form, std::size_t parameter) {
   if (parameter < form.shapes.size()) return form.shapes[parameter].field;
   const std::size_t own = (parameter - form.shapes.size()) % form.coefficients;
@@ -85,17 +28,6 @@ std::string field_of(const Form& form, std::size_t parameter) {
     return lobe.prefix + "parameters." + (diffuse ? "rd" : "scale");
   }
   return {};
-}
-
-// The inverse of a positive semidefinite matrix; directions that it does not see get the variance
-// of the least that rounding lets it see.
-Eigen::MatrixXd inverse(const Eigen::MatrixXd& H) {
-  const Eigen::VectorXd scale = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * H *
-                                                             scale.asDiagonal());
-  const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(1e-10).cwiseInverse();
-  return scale.asDiagonal() * eigen.eigenvectors() * values.asDiagonal() *
-         eigen.eigenvectors().transpose() * scale.asDiagonal();
 }
 
 // Directions of nearly no curvature, by the fields that take part. `H` is of the parameters `free`.
@@ -121,7 +53,7 @@ std::vector<Indistinct> unseen(const Form& form, const Eigen::MatrixXd& H,
 }
 
 // Pairs of numbers whose estimates go together, each pair of fields once.
-void add_correlated(const std::vector<Named>& numbers, const Eigen::MatrixXd& covariance,
+void add_correlated(const std::vector<MaterialNumber>& numbers, const Eigen::MatrixXd& covariance,
                     std::vector<Indistinct>& to) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     for (std::size_t j = i + 1; j < numbers.size(); ++j) {
@@ -165,7 +97,7 @@ std::vector<std::size_t> with_curvature(const Eigen::MatrixXd& H,
   return seen;
 }
 
-ParameterReport report_of(const Named& number, bool determined, double standard_error) {
+ParameterReport report_of(const MaterialNumber& number, bool determined, double standard_error) {
   const Parameter& p = *number.parameter;
   ParameterReport report;
   report.field = number.field;
@@ -212,7 +144,7 @@ Uncertainty uncertainty_at(const Problem& problem, std::span<const double> param
   const double share = std::min(1.0, static_cast<double>(problem.data().size()) /
                                          static_cast<double>(std::max<std::size_t>(pairs, 1)));
   const auto numbers = numbers_of(form, parameters, channels);
-  const Eigen::MatrixXd all = slopes(form, parameters, channels, numbers);
+  const Eigen::MatrixXd all = slopes_of(form, parameters, channels, numbers);
   const Eigen::MatrixXd J = all(Eigen::all, seen);
   const Eigen::MatrixXd curved = J * inverted * J.transpose();
   add_correlated(numbers, curved, result.indistinct);

@@ -9,8 +9,10 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "measured/table.h"
 
@@ -25,15 +27,14 @@ using Dimensions = std::array<std::int32_t, 3>;
 constexpr std::array<double, Table::kChannels> kScale{1.0 / 1500, 1.15 / 1500, 1.66 / 1500};
 constexpr std::array<const char*, Table::kChannels> kChannelNames{"R", "G", "B"};
 constexpr Dimensions kDimensions{Table::kThetaH, Table::kThetaD, Table::kPhiD};
-constexpr std::uintmax_t kFileBytes =
-    sizeof(Dimensions) + sizeof(double) * Table::kChannels * std::uintmax_t{Table::kCells};
+static_assert(Table::kFileBytes ==
+              sizeof(Dimensions) + sizeof(double) * Table::kChannels * Table::kCells);
 constexpr float kInvalid = std::numeric_limits<float>::quiet_NaN();
 
 // One sentence with the file, what was found there and what was expected.
-Error file_error(ErrorCode code, const std::filesystem::path& file, std::string found,
-                 std::string expected) {
-  std::string message = file.string() + ": found " + found + "; expected " + expected;
-  return {code, std::move(message), file.string(), std::move(found), std::move(expected)};
+Error file_error(ErrorCode code, const std::string& file, std::string found, std::string expected) {
+  std::string message = file + ": found " + found + "; expected " + expected;
+  return {code, std::move(message), file, std::move(found), std::move(expected)};
 }
 
 std::string text_of(const Dimensions& dimensions) {
@@ -49,16 +50,17 @@ std::string cell_name(std::size_t cell) {
          "][phi_d " + std::to_string(phi_d) + "]";
 }
 
-Error wrong_length(const std::filesystem::path& file, std::uintmax_t bytes) {
+Error wrong_length(const std::string& file, std::uintmax_t bytes) {
+  constexpr std::uintmax_t kRight = Table::kFileBytes;
   std::string found = std::to_string(bytes) + " bytes (";
-  found += bytes < kFileBytes ? "truncated: " + std::to_string(kFileBytes - bytes) + " missing)"
-                              : "too long by " + std::to_string(bytes - kFileBytes) + ")";
+  found += bytes < kRight ? "truncated: " + std::to_string(kRight - bytes) + " missing)"
+                          : "too long by " + std::to_string(bytes - kRight) + ")";
   return file_error(ErrorCode::data_loss, file, std::move(found),
-                    std::to_string(kFileBytes) + " bytes");
+                    std::to_string(kRight) + " bytes");
 }
 
 // What can be said before opening: opening a pipe or a device might block for ever.
-Outcome check_kind(const std::filesystem::path& file) {
+Outcome check_kind(const std::string& file) {
   const char* expected = "a MERL .binary file";
   std::error_code problem;
   const auto status = std::filesystem::status(file, problem);
@@ -77,10 +79,7 @@ Outcome check_kind(const std::filesystem::path& file) {
 
 // The header comes before the length: a file of another kind is better told by its dimensions than
 // by its size.
-Outcome check_header(std::ifstream& in, const std::filesystem::path& file) {
-  std::error_code problem;
-  const std::uintmax_t bytes = std::filesystem::file_size(file, problem);
-  if (problem) return file_error(ErrorCode::not_found, file, problem.message(), "a readable file");
+Outcome check_header(std::istream& in, std::uintmax_t bytes, const std::string& file) {
   Dimensions found{};
   if (!in.read(reinterpret_cast<char*>(found.data()), sizeof found))
     return wrong_length(file, bytes);
@@ -88,12 +87,12 @@ Outcome check_header(std::ifstream& in, const std::filesystem::path& file) {
     return file_error(ErrorCode::data_loss, file, "the dimensions " + text_of(found),
                       "the dimensions " + text_of(kDimensions));
   }
-  if (bytes != kFileBytes) return wrong_length(file, bytes);
+  if (bytes != Table::kFileBytes) return wrong_length(file, bytes);
   return Ok{};
 }
 
 // Reads one plane into its channel of the cell-major `values`; negative cells become kInvalid.
-Outcome read_plane(std::ifstream& in, const std::filesystem::path& file, int channel,
+Outcome read_plane(std::istream& in, const std::string& file, int channel,
                    std::span<float> values) {
   std::array<double, 8192> block;
   const auto c = static_cast<std::size_t>(channel);
@@ -138,23 +137,43 @@ std::size_t mark_invalid(std::span<float> values) {
 
 }  // namespace
 
-Result<std::shared_ptr<const MeasuredTable>> MeasuredTable::read_merl(
-    const std::filesystem::path& file) {
-  if (auto kind = check_kind(file); !kind) return kind.error();
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return file_error(ErrorCode::not_found, file, std::strerror(errno), "a readable file");
-  if (auto header = check_header(in, file); !header) return header.error();
+Result<std::shared_ptr<const MeasuredTable>> MeasuredTable::read_merl(std::istream& in,
+                                                                      std::size_t bytes,
+                                                                      const std::string& name) {
+  if (auto header = check_header(in, bytes, name); !header) return header.error();
   auto table = std::make_shared<MeasuredTable>();
   table->values_.resize(kCells * kChannels);
   for (int channel = 0; channel < kChannels; ++channel) {
-    if (auto plane = read_plane(in, file, channel, table->values_); !plane) return plane.error();
+    if (auto plane = read_plane(in, name, channel, table->values_); !plane) return plane.error();
   }
-  if (in.peek() != std::ifstream::traits_type::eof()) {
-    return file_error(ErrorCode::data_loss, file, "bytes after the last cell",
+  if (in.peek() != std::istream::traits_type::eof()) {
+    return file_error(ErrorCode::data_loss, name, "bytes after the last cell",
                       std::to_string(kFileBytes) + " bytes");
   }
   table->invalid_cells_ = mark_invalid(table->values_);
   return std::shared_ptr<const MeasuredTable>(std::move(table));
+}
+
+Result<std::shared_ptr<const MeasuredTable>> MeasuredTable::read_merl(
+    const std::filesystem::path& file) {
+  if (auto kind = check_kind(file.string()); !kind) return kind.error();
+  std::ifstream in(file, std::ios::binary);
+  if (!in) {
+    return file_error(ErrorCode::not_found, file.string(), std::strerror(errno), "a readable file");
+  }
+  std::error_code problem;
+  const std::uintmax_t bytes = std::filesystem::file_size(file, problem);
+  if (problem) {
+    return file_error(ErrorCode::not_found, file.string(), problem.message(), "a readable file");
+  }
+  return read_merl(in, bytes, file.string());
+}
+
+Result<std::shared_ptr<const MeasuredTable>> MeasuredTable::parse_merl(std::string content,
+                                                                       const std::string& name) {
+  const std::size_t bytes = content.size();
+  std::istringstream in(std::move(content));
+  return read_merl(in, bytes, name);
 }
 
 Result<std::shared_ptr<const MeasuredTable>> MeasuredTable::from_values(

@@ -9,8 +9,10 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <iosfwd>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/result.h"
@@ -21,6 +23,8 @@ class MeasuredTable {
  public:
   static constexpr int kThetaH = 90, kThetaD = 90, kPhiD = 180, kChannels = 3;
   static constexpr std::size_t kCells = std::size_t{kThetaH} * kThetaD * kPhiD;
+  // Of a MERL `.binary`: every one has this size.
+  static constexpr std::size_t kFileBytes = 12 + 8 * kChannels * kCells;
 
   // Reads a MERL `.binary`: three int32 dimensions (90 90 180), then planes of float64 for R, G and
   // B that are scaled here by 1/1500, 1.15/1500 and 1.66/1500. A cell that is negative in any
@@ -28,6 +32,9 @@ class MeasuredTable {
   // data_loss (other dimensions, truncated, too long, a value that is not finite in float32), each
   // naming file, found and expected.
   static Result<std::shared_ptr<const MeasuredTable>> read_merl(const std::filesystem::path& file);
+  // The same from such a file's content; `name` is what errors call it.
+  static Result<std::shared_ptr<const MeasuredTable>> parse_merl(std::string content,
+                                                                 const std::string& name);
 
   // From values in 1/sr, cell-major ([theta_h][theta_d][phi_d][channel]); NaN or negative marks an
   // invalid cell.
@@ -38,6 +45,9 @@ class MeasuredTable {
   [[nodiscard]] std::size_t invalid_cells() const { return invalid_cells_; }
 
  private:
+  static Result<std::shared_ptr<const MeasuredTable>> read_merl(std::istream& in, std::size_t bytes,
+                                                                const std::string& name);
+
   std::vector<float> values_;
   std::size_t invalid_cells_ = 0;
 };

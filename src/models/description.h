@@ -77,6 +77,9 @@ struct ModelDescription {
   // The largest albedo over all directions, for colours and a scale of at most 1. Above 1 for what
   // gains energy as published; 0 where it is not known (a table).
   double albedo_limit = 1;
+  // The parameters of a difference that crosses 0, where no relative bound can hold: the error may
+  // be as large there as four roundings of each of them make it.
+  std::span<const std::string_view> crossing = {};
 };
 
 }  // namespace gonio

@@ -51,6 +51,7 @@ struct OrenNayar {
                 .words = kForms}};
   static constexpr std::string_view kNote =
       "full form, where it crosses 0: four roundings of rd and sigma";
+  static constexpr std::array<std::string_view, 2> kCrossing{"rd", "sigma"};
   static constexpr ModelDescription kDescription{
       .name = "oren_nayar",
       .summary = "rough diffuse reflection of V-shaped facets",
@@ -59,7 +60,8 @@ struct OrenNayar {
       .parameters = kParameters,
       .fast = {.relative = 3e-6, .note = kNote},
       .reference = {.relative = 3e-11, .note = kNote},
-      .albedo_limit = 1.06};
+      .albedo_limit = 1.06,
+      .crossing = kCrossing};
 
   template <class S>
   struct Channel {

@@ -15,6 +15,8 @@
 //   exp2(x), times_exp2(a, p)      p = 2^x, x <= 0, as a Power; a p, without underflow before the
 //                                  product
 //   kQuick             whether errors of 1e-14 are small enough to save work for
+//
+// Fast and Reference are here, derivatives in derivative.h, scalars of long double in extended.h.
 #pragma once
 
 #include "numeric/elementary.h"

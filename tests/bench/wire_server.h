@@ -13,8 +13,8 @@
 #include <thread>
 
 #include "bench/echo_service.h"
+#include "server/background_queue.h"
 #include "server/configure.h"
-#include "server/fit_queue.h"
 #include "server/service.h"
 
 namespace gonio::bench {
@@ -43,9 +43,9 @@ class WireServer {
                    options_.max_queued_jobs};
   spdlog::logger logger_{"bench", std::make_shared<spdlog::sinks::null_sink_mt>()};
   MemoryBudget memory_{options_.memory_quota_bytes};
-  FitQueue fits_{1, 1};
+  BackgroundQueue fits_{1, 1}, puts_{1, 1};
   Service service_{{materials_, pool_, options_.max_message_bytes, options_.max_queued_jobs,
-                    logger_, memory_, FitBackend{fits_, std::chrono::seconds(1)}}};
+                    logger_, memory_, FitBackend{fits_, std::chrono::seconds(1)}, puts_}};
   EchoService echo_;
   std::unique_ptr<grpc::Server> server_;
 };

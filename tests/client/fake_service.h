@@ -91,6 +91,7 @@ class FakeService final : public v1::GonioService::Service {
   grpc::Status SampleStream(grpc::ServerContext* /*context*/,
                             grpc::ServerReaderWriter<v1::SampleStreamResponse,
                                                      v1::SampleStreamRequest>* stream) override {
+    const Handling handling(*this);
     ++streams;
     v1::SampleStreamRequest request;
     for (int answered = 0; stream->Read(&request); ++answered) {

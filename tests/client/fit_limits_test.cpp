@@ -7,18 +7,22 @@
 #include <thread>
 
 #include "client/fit_fixture.h"
+#include "effort.h"
 
 namespace gonio::test {
 namespace {
 
 using ::testing::HasSubstr;
 using Clock = std::chrono::steady_clock;
+using gonio::testing::kSlower;
+using gonio::testing::WorkClock;
 using std::chrono::milliseconds;
+using std::chrono::seconds;
 using FitLimits = FitFixture;
 
 TEST_F(FitLimits, EndsSoonWhenItIsCancelled) {
   start_with([](ServerOptions& options) { options.fit_threads = 1; });
-  const Measured measured(200'000);
+  const Measured measured(200'000 / kSlower);
   client::FitOptions options;
   options.polish = true;
   for (const char* at : {"data", "scan", "starts", "fit", "polish"}) {
@@ -27,45 +31,45 @@ TEST_F(FitLimits, EndsSoonWhenItIsCancelled) {
     watch.progress = [&](const client::FitProgress& progress) {
       stop = stop || progress.stage == at;
     };
-    Clock::time_point said;
+    WorkClock::time_point said;
     watch.stop = [&] {
-      if (stop && said == Clock::time_point()) said = Clock::now();
+      if (stop && said == WorkClock::time_point()) said = WorkClock::now();
       return stop;
     };
     const auto result = connect("unix").fit(measured.data(), form(), options, watch);
     if (!stop) continue;  // a stage of less than a moment
     ASSERT_FALSE(result.ok());
     EXPECT_EQ(result.error().code, ErrorCode::cancelled) << result.error().message;
-    EXPECT_LT(Clock::now() - said, milliseconds(200)) << at;
-    // The only thread is free again: the next fit of nearly nothing is done at once.
+    EXPECT_LT(WorkClock::now() - said, kSlower * milliseconds(200)) << at;
+    // The only thread is free again, and what it had begun is not done first.
     const Measured little(50);
-    const auto start = Clock::now();
-    client::FitOptions quick;
-    quick.deadline = milliseconds(5000);
-    EXPECT_TRUE(
-        connect("unix").fit(little.data(), client::Material::model("lambertian"), quick).ok());
-    EXPECT_LT(Clock::now() - start, milliseconds(1000)) << at;
+    const auto start = WorkClock::now();
+    EXPECT_TRUE(connect("unix").fit(little.data(), client::Material::model("lambertian")).ok());
+    EXPECT_LT(WorkClock::now() - start, kSlower * milliseconds(500)) << at;
   }
 }
 
+// A fit that would take half a minute and more is given up.
 TEST_F(FitLimits, KeepsItsDeadlines) {
-  const Measured measured(200'000);
+  const Measured measured(200'000 / kSlower);
   client::FitOptions options;
   options.polish = true;
-  options.deadline = milliseconds(150);
+  options.starts = 100;
+  options.fit_pairs = 200'000;  // all of them
+  options.deadline = milliseconds(300);
   auto start = Clock::now();
   auto result = connect("tcp").fit(measured.data(), form(), options);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, ErrorCode::deadline_exceeded) << result.error().message;
-  EXPECT_LT(Clock::now() - start, milliseconds(800));
+  EXPECT_LT(Clock::now() - start, seconds(5));
 
-  start_with([](ServerOptions& server) { server.longest_fit = milliseconds(150); });
+  start_with([](ServerOptions& server) { server.longest_fit = milliseconds(300); });
   options.deadline.reset();
   start = Clock::now();
   result = connect("tcp").fit(measured.data(), form(), options);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, ErrorCode::deadline_exceeded) << result.error().message;
-  EXPECT_LT(Clock::now() - start, milliseconds(2000));
+  EXPECT_LT(Clock::now() - start, seconds(5));
 }
 
 TEST_F(FitLimits, IsRefusedWhereTooManyWait) {
@@ -73,7 +77,7 @@ TEST_F(FitLimits, IsRefusedWhereTooManyWait) {
     options.fit_threads = 1;
     options.max_fits = 2;
   });
-  const Measured measured(100'000);
+  const Measured measured(100'000 / kSlower);
   std::atomic<int> heard{0};
   std::atomic<bool> stop{false};
   const auto wait_for_end = [&] {
@@ -102,7 +106,7 @@ TEST_F(FitLimits, IsRefusedWhereTooManyWait) {
 }
 
 TEST_F(FitLimits, LeavesEvaluationAlone) {
-  const Measured measured(20'000);
+  const Measured measured(20'000 / kSlower);
   std::atomic<int> done{0};
   const auto fit_one = [&] {
     const auto result = connect("unix").fit(measured.data(), form());
@@ -111,7 +115,7 @@ TEST_F(FitLimits, LeavesEvaluationAlone) {
   };
   std::thread first(fit_one), second(fit_one);
   const auto client = connect("unix");
-  std::vector<float> values(3 * 20'000);
+  std::vector<float> values(measured.values.size());
   int evaluations = 0;
   while (done < 2) {
     ASSERT_TRUE(client.evaluate(ggx(), measured.wi, measured.wo, values).ok());

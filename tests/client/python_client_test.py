@@ -3,6 +3,7 @@
 Usage: python_client_test.py GONIOD   (PYTHONPATH holds the generated gonio/v1/*_pb2.py)
 """
 
+import hashlib
 import math
 import os
 import random
@@ -14,7 +15,7 @@ import unittest
 
 import grpc
 
-from gonio.v1 import error_pb2, evaluate_pb2, fit_pb2, models_pb2, sample_pb2
+from gonio.v1 import error_pb2, evaluate_pb2, fit_pb2, models_pb2, put_pb2, sample_pb2
 
 GONIOD = sys.argv.pop(1)
 SERVICE = "/gonio.v1.GonioService/"
@@ -55,6 +56,9 @@ class PythonClient(unittest.TestCase):
             evaluate.EvaluateStreamResponse.FromString))
         cls.fit = staticmethod(cls.channel.unary_stream(
             SERVICE + "Fit", fit_pb2.FitRequest.SerializeToString, fit_pb2.FitResponse.FromString))
+        cls.put_material = staticmethod(cls.channel.stream_unary(
+            SERVICE + "PutMaterial", put_pb2.PutMaterialRequest.SerializeToString,
+            put_pb2.PutMaterialResponse.FromString))
         cls.sample = staticmethod(cls.channel.unary_unary(
             SERVICE + "Sample", sample_pb2.SampleRequest.SerializeToString,
             sample_pb2.SampleResponse.FromString))
@@ -180,6 +184,40 @@ class PythonClient(unittest.TestCase):
         self.assertEqual(certificate.pairs, 2000 - below)
         for found, rd in zip(answers[-1].result.material.parameters["rd"], colour):
             self.assertAlmostEqual(found, rd, delta=1e-5)
+
+    def test_puts_a_material_and_fits_it_by_name(self):
+        """A MERL file whose values are 0.1, 0.05 and 0.025 everywhere, but for one cell."""
+        cells = 90 * 90 * 180
+        planes = [struct.pack("<d", f * 1500 / scale) * cells
+                  for f, scale in ((0.1, 1), (0.05, 1.15), (0.025, 1.66))]
+        planes[0] = struct.pack("<d", -1) + planes[0][8:]
+        content = struct.pack("<3i", 90, 90, 180) + b"".join(planes)
+
+        def parts(digest):
+            yield put_pb2.PutMaterialRequest(file=put_pb2.MaterialFile(
+                name="grey", size=len(content), sha256=digest))
+            for at in range(0, len(content), 1 << 18):
+                yield put_pb2.PutMaterialRequest(chunk=content[at:at + (1 << 18)])
+
+        with self.assertRaises(grpc.RpcError) as raised:
+            self.put_material(parts(hashlib.sha256(b"other").digest()), timeout=60)
+        self.assertEqual(raised.exception.code(), grpc.StatusCode.DATA_LOSS)
+        metadata = dict(raised.exception.trailing_metadata())
+        detail = error_pb2.ErrorDetail.FromString(metadata["grpc-status-details-bin"])
+        self.assertEqual(detail.field, "file.sha256")
+        self.assertIn(hashlib.sha256(content).hexdigest(), detail.allowed)
+
+        stored = self.put_material(parts(hashlib.sha256(content).digest()), timeout=60)
+        self.assertEqual(stored.place, put_pb2.MATERIAL_PLACE_MEMORY)
+        self.assertEqual(stored.invalid_cells, 1)
+        request = fit_pb2.FitRequest()
+        request.measured.name = "grey"
+        request.form.model = "lambertian"
+        first, again = (list(self.fit(request, timeout=60))[-1].result for _ in range(2))
+        for found, f in zip(first.material.parameters["rd"], (0.1, 0.05, 0.025)):
+            self.assertAlmostEqual(found, f * math.pi, delta=1e-4)
+        self.assertEqual(first.material, again.material)
+        self.assertEqual(first.certificate.parameters, again.certificate.parameters)
 
     def test_cancels_a_fit(self):
         request = fit_pb2.FitRequest()

@@ -294,6 +294,7 @@ TEST_F(SampleRetry, AnswersOfWrongLengthsAreErrors) {
       [](auto& samples) { samples.add_weights(1); }, [](auto& samples) { samples.set_flags("x"); },
       [](auto& samples) { samples.set_channels(0); }};
   for (const auto& spoil : spoils) {
+    server_ = std::make_unique<FakeServer>();  // as above: the one before may still be at work
     service().spoil_samples = spoil;
     auto report = sample();
     ASSERT_FALSE(report.ok());

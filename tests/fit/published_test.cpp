@@ -6,6 +6,8 @@
 
 #include "fit/fit.h"
 #include "fit/real_data.h"
+#include "measured/pairs.h"
+#include "measured/solid_angle.h"
 
 namespace gonio::testing {
 namespace {
@@ -61,6 +63,65 @@ TEST(MeasuredMaterials, AreFittedAlikeFromAnyStart) {
       const auto [least, most] = std::minmax_element(ends.begin(), ends.end());
       EXPECT_LT(*most, 1.01 * *least) << name << " " << model;
     }
+  }
+}
+
+// Where a coarse search takes the wrong one of two basins, a guess in the other is followed; where
+// it takes the right one, no guess makes it worse.
+TEST(MeasuredMaterials, AreFittedNoWorseAndSometimesBetterWithAGuess) {
+  const auto nickel = load_measured("nickel");
+  if (!nickel) GTEST_SKIP() << "no nickel in " << data_folder();
+  const fit::Data data = fit::subset(fit::within(*nickel, 0, fit::kGrazing), 20'000, 1);
+  int better = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    fit::Options options;
+    options.seed = seed;
+    options.starts = 1;
+    options.scan_pairs = 500;
+    options.fit_pairs = 3000;
+    MaterialSpec form = over_lambertian("cook_torrance", "dielectric");
+    const double without = fit::fit(data, form, options)->certificate.stages.back().objective;
+    for (const double eta : {2.0, 100.0}) {
+      form.specular[0].parameters["eta"] = std::vector{eta};
+      const double with = fit::fit(data, form, options)->certificate.stages.back().objective;
+      EXPECT_LE(with, without) << "seed " << seed << ", eta " << eta;
+      better += with < 0.995 * without ? 1 : 0;
+    }
+  }
+  EXPECT_GT(better, 0);
+}
+
+// Bounds that other fitters impose hide an optimum: s >= .3 the fabric's, a scale <= 1 nickel's.
+TEST(MeasuredMaterials, AreNotHeldByBoundsThatOthersImpose) {
+  const auto fabric = load_measured("red-fabric2"), nickel = load_measured("nickel");
+  if (!fabric || !nickel) GTEST_SKIP() << "no nickel in " << data_folder();
+  fit::Options options;
+  options.max_theta = fit::kGrazing;
+  const auto number = [](const MaterialSpec& spec, const char* name) {
+    const auto& numbers = std::get<std::vector<double>>(spec.specular[0].parameters.at(name));
+    return *std::max_element(numbers.begin(), numbers.end());
+  };
+  const auto phong =
+      fit::fit(fit::subset(*fabric, 20'000, 1), over_lambertian("phong", "dielectric"), options);
+  EXPECT_LT(number(phong->material, "s"), 0.3);
+  const auto metal = fit::fit(fit::subset(*nickel, 20'000, 1),
+                              over_lambertian("phong_mix", "dielectric"), options);
+  EXPECT_GT(number(metal->material, "scale"), 1);
+}
+
+// No model here has a lobe toward the light.
+TEST(RetroReflectors, AreSaidToBeNoneOfTheModels) {
+  for (const char* tape : {"retro-3M-jaune.dat", "retro-gray-tape.dat"}) {
+    const auto pairs = read_alta(data_folder() / "retro" / tape);
+    if (!pairs) GTEST_SKIP() << pairs.error().message;
+    const auto data = fit::from_pairs(pairs->wi, pairs->wo, pairs->values, pairs->channels,
+                                      pair_measures(pairs->wi, pairs->wo));
+    const auto result = fit::fit(*data, over_lambertian("cook_torrance", "dielectric"), {});
+    EXPECT_EQ(result->certificate.verdict, fit::Verdict::failed) << tape;
+    EXPECT_NE(result->certificate.reason.find("retro-reflection"), std::string::npos)
+        << result->certificate.reason;
+    const fit::Regions& regions = result->certificate.regions;
+    EXPECT_GT(regions.toward_light.error, regions.mirror.error) << tape;
   }
 }
 

@@ -5,13 +5,14 @@
 #include <chrono>
 #include <thread>
 
+#include "effort.h"
 #include "fit/synthetic.h"
 
 namespace gonio::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using Clock = std::chrono::steady_clock;
+using Clock = WorkClock;
 using Numbers = std::vector<double>;
 
 const MaterialSpec kTruth{
@@ -48,6 +49,26 @@ TEST(FitRun, IsTheSameOnEveryThread) {
   const auto another = fit::fit(noisy_data(), form_of(kTruth), options);
   EXPECT_NE(another->certificate.stages.back().objective,
             results[0]->certificate.stages.back().objective);
+}
+
+// A guess that leads nowhere leaves the very material that is found without one; none makes it
+// worse.
+TEST(FitRun, IsNotHarmedByAGuess) {
+  const auto without = fit::fit(noisy_data(), form_of(kTruth), {});
+  EXPECT_FALSE(without->certificate.starts.back().given);
+  for (const double m : {1e-3, 0.01, 0.6, 2.0}) {
+    MaterialSpec form = form_of(kTruth);
+    form.specular[0].parameters["m"] = Numbers{m};
+    form.specular[0].parameters["eta"] = Numbers{90};
+    const auto with = fit::fit(noisy_data(), form, {});
+    const fit::Start& guess = with->certificate.starts.back();
+    EXPECT_TRUE(guess.given);
+    EXPECT_NEAR(guess.from[0], m, 1e-9);
+    EXPECT_LE(with->certificate.stages.back().objective,
+              without->certificate.stages.back().objective);
+    if (m > 1e-3) continue;
+    EXPECT_EQ(with->material.specular[0].parameters, without->material.specular[0].parameters);
+  }
 }
 
 TEST(FitRun, StopsWhenAsked) {

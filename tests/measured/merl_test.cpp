@@ -177,7 +177,7 @@ std::size_t peak_memory() {
 }
 
 TEST_F(MerlReader, CostsNoMoreMemoryThanTheTable) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef GONIO_SANITIZED
   GTEST_SKIP() << "sanitizers keep memory of their own";
 #endif
   const auto file = black_file();

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <regex>
 
-#include "models/chi_square.h"
 #include "models/findings.h"
+#include "models/hemisphere.h"
 
 namespace gonio::testing {
 namespace {

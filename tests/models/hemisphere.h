@@ -1,72 +1,17 @@
-// A subdivision of the hemisphere of wo that follows a density, for quadrature and for bins.
-//
-// Its coordinates are those of the half-vector: its azimuth, and its colatitude as a fraction of
-// the one at which wo meets the horizon. In them no lobe about a half-vector or about the mirror
-// direction is too sharp, too long or too near to grazing, and the horizon is a straight edge. The
-// first cells shrink geometrically towards the normal, towards the horizon, where the values of
-// grazing light bend, and towards the azimuths along which lobes are long (the tangents' and those
-// along and across wi); cells are then halved, along whichever coordinate changes more, until
-// Gauss's rule agrees with itself.
+// The quadrature over the hemisphere and the chi-square test of src/assess, by the tests' names.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <vector>
+#include "assess/chi_square.h"
+#include "assess/hemisphere.h"
 
 namespace gonio::testing {
 
-using Direction = std::array<double, 3>;
-
-// A fixed number of columns for each of the directions (interleaved): the density, then others.
-using Integrands = std::function<std::vector<double>(const std::vector<double>& wo)>;
-
-struct Bin {
-  double mass = 0, solid_angle = 0;
-  Direction centre{};  // a direction inside
-};
-
-class Subdivision {
- public:
-  Subdivision(const Direction& wi, std::size_t columns, const Integrands& integrands);
-
-  [[nodiscard]] double integral(std::size_t column) const { return totals_[column]; }
-  [[nodiscard]] double solid_angle() const { return totals_.back(); }
-  // How much the last halvings changed the integral, all changes taken as positive.
-  [[nodiscard]] double change(std::size_t column) const { return changes_[column]; }
-
-  // Neighbouring cells together, each bin with at least `least` of the density's mass.
-  [[nodiscard]] std::vector<Bin> bins(double least);
-  // Of the last call of bins.
-  [[nodiscard]] std::size_t bin_of(const Direction& wo) const;
-
- private:
-  // [u0, u1] x [t0, t1], halved into `child` and the next one, or the leaf.
-  struct Cell {
-    double u0, u1, t0, t1;
-    std::size_t child = 0;
-    std::size_t bin = 0;
-    bool across_u = false;
-  };
-
-  void lay_first_cells();
-  void refine(const Integrands& integrands);
-  void settle(std::size_t cell, const std::vector<double>& halves, std::vector<std::size_t>& next);
-  [[nodiscard]] std::array<Cell, 4> halves_of(const Cell& cell) const;
-  void append_nodes(const Cell& cell, std::vector<double>& wo, std::vector<double>& weights) const;
-  [[nodiscard]] std::vector<double> integrate(const std::vector<Cell>& cells,
-                                              const Integrands& integrands) const;
-  [[nodiscard]] double reach(double u) const;
-  [[nodiscard]] Direction direction(double u, double t) const;
-  void gather(std::size_t cell, double least, std::vector<Bin>& bins);
-
-  Direction wi_;
-  std::size_t columns_;  // with the solid angle as the last
-  std::vector<double> u_edges_, t_edges_;
-  std::vector<Cell> cells_;
-  std::vector<double> integrals_;  // columns_ of each cell
-  std::vector<double> totals_, changes_, scales_;
-};
+using assess::Bin;
+using assess::chi_square_probability;
+using assess::Direction;
+using assess::Integrands;
+using assess::sidak;
+using assess::Subdivision;
+using assess::upper_gamma;
 
 }  // namespace gonio::testing

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <fstream>
 
-#include "models/chi_square.h"
 #include "models/harness_sampling.h"
+#include "models/hemisphere.h"
 
 namespace gonio::testing {
 namespace {

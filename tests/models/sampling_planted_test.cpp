@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "models/chi_square.h"
 #include "models/harness_sampling.h"
+#include "models/hemisphere.h"
 
 namespace gonio::testing {
 namespace {

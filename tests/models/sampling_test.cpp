@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "models/chi_square.h"
 #include "models/harness_sampling.h"
+#include "models/hemisphere.h"
 
 namespace gonio::testing {
 namespace {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "server/fit_queue.h"
+#include "server/background_queue.h"
 #include "server/harness.h"
 #include "server/service.h"
 
@@ -23,7 +23,7 @@ class BusyService {
         pool_(1, places),
         logger_("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(log_)),
         service_({materials_, pool_, std::size_t{64} << 20, places, logger_, memory_,
-                  FitBackend{fits_, std::chrono::seconds(1)}}) {
+                  FitBackend{fits_, std::chrono::seconds(1)}, puts_}) {
     logger_.set_level(spdlog::level::debug);
     EXPECT_TRUE(pool_.submit({1,
                               [this](std::size_t) {
@@ -62,7 +62,7 @@ class BusyService {
   MemoryBudget memory_;
   ThreadPool pool_;
   spdlog::logger logger_;
-  FitQueue fits_{1, 1};
+  BackgroundQueue fits_{1, 1}, puts_{1, 1};
   Service service_;
   std::unique_ptr<grpc::Server> server_;
 };

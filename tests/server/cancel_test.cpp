@@ -5,9 +5,9 @@
 
 #include <chrono>
 
+#include "server/background_queue.h"
 #include "server/busy_pool.h"
 #include "server/evaluation.h"
-#include "server/fit_queue.h"
 #include "server/stream_client.h"
 #include "wire/codec.h"
 
@@ -34,14 +34,15 @@ struct Computing {
     auto done = std::make_shared<std::promise<bool>>();
     static MemoryBudget memory(1 << 30);  // outlives the evaluations of all tests
     const Backend backend{
-        materials, pool, 1 << 20, 8, logger, memory, FitBackend{fits, std::chrono::seconds(1)}};
+        materials, pool, 1 << 20, 8, logger, memory, FitBackend{fits, std::chrono::seconds(1)},
+        puts};
     EXPECT_TRUE(compute(backend, evaluation, state, [done](bool completed) {
                   done->set_value(completed);
                 }).ok());
     return done->get_future();
   }
   Materials materials;
-  FitQueue fits{1, 1};
+  BackgroundQueue fits{1, 1}, puts{1, 1};
   spdlog::logger logger{"test"};
   ThreadPool pool;
 };

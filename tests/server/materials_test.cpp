@@ -124,6 +124,29 @@ TEST(Materials, LocalFilesOnlyWhereAllowed) {
   EXPECT_EQ(embedded.refused(request).code, ErrorCode::not_found);
 }
 
+TEST(Materials, ALocalFileIsReadAgainWhenItHasChanged) {
+  const TempFolder folder;
+  const auto constant = [](double f) {
+    return [f](double, double, double) { return Rgb{f, f, f}; };
+  };
+  const auto file = folder / "constant.binary";
+  ServerOptions options;
+  options.allow_local_files = true;
+  TestServer embedded(options);
+  v1::EvaluateRequest request = request_for({{0, 0, 1}, {0, 0, 1}}, 0, 1);
+  request.mutable_material()->set_model("measured");
+  auto& fields = *request.mutable_material()->mutable_parameters()->mutable_fields();
+  fields["file"].set_string_value(file.string());
+  ASSERT_TRUE(write_merl(file, constant(0.1)));
+  const auto first = std::filesystem::last_write_time(file);
+  for (int i = 0; i < 2; ++i) EXPECT_FLOAT_EQ(embedded.evaluated(request).values(0), 0.1F);
+  ASSERT_TRUE(write_merl(file, constant(0.2)));
+  std::filesystem::last_write_time(file, first + std::chrono::seconds(1));
+  EXPECT_FLOAT_EQ(embedded.evaluated(request).values(0), 0.2F);
+  std::filesystem::remove(file);
+  EXPECT_EQ(embedded.refused(request).code, ErrorCode::not_found);
+}
+
 TEST(Materials, BadFilesStopTheStartAndAreNamed) {
   const std::pair<const char*, const char*> cases[] = {
       {"{", "JSON"},

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Runs clang-tidy over the product's sources (not the tests'): tests/style/tidy.py BUILD_DIR [FILE-PREFIX ...]
 
-A file that passed is not checked again until it, a header of ours that it includes, its compile command, .clang-tidy or
-clang-tidy itself changes; BUILD_DIR/tidy/ remembers. BUILD_DIR must have been built: Ninja knows which header
-each source includes. Exit status 1 when anything is reported.
+A file that passed is not checked again, in this checkout or another one of the same user, until it, a header of ours that it
+includes, its compile command, .clang-tidy or clang-tidy itself changes; $XDG_CACHE_HOME/gonio-tidy (~/.cache/gonio-tidy)
+remembers. BUILD_DIR must have been built: Ninja knows which header each source includes. Exit status 1 when anything is
+reported.
 """
 
 import concurrent.futures
@@ -62,8 +63,9 @@ def included_files(build):
 
 
 def key_of(entry, dependencies, version):
-    """Changes when anything changes that could change clang-tidy's verdict."""
-    digest = hashlib.sha256((version + entry["command"] + " ".join(EXTRA)).encode())
+    """Changes when anything changes that could change clang-tidy's verdict; where the checkout lies could not."""
+    command = entry["command"].replace(str(ROOT), "")
+    digest = hashlib.sha256((version + command + " ".join(EXTRA)).encode())
     for path in [ROOT / ".clang-tidy", pathlib.Path(entry["file"]), *sorted(dependencies)]:
         digest.update(path.read_bytes())
     return digest.hexdigest()
@@ -84,8 +86,8 @@ def main():
     sources = commands(build, sys.argv[2:])
     includes = included_files(build)
     version = subprocess.run(["clang-tidy", "--version"], check=True, capture_output=True, text=True).stdout
-    cache = build / "tidy"
-    cache.mkdir(exist_ok=True)
+    cache = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "gonio-tidy"
+    cache.mkdir(parents=True, exist_ok=True)
     keys = {name: key_of(entry, includes.get(object_of(entry), []), version) for name, entry in sources.items()}
     todo = [name for name in sorted(sources) if not (cache / keys[name]).exists()]
     print(f"clang-tidy: {len(todo)} of {len(sources)} files to check", flush=True)

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "models/hemisphere.h"
+#include "assess/hemisphere.h"
 
-namespace gonio::testing {
+namespace gonio::assess {
 namespace {
 
 std::size_t interval_of(const std::vector<double>& edges, double x) {
@@ -57,4 +57,4 @@ std::size_t Subdivision::bin_of(const Direction& wo) const {
   return cells_[at].bin;
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::assess

@@ -1,8 +1,8 @@
 // Threads for work that takes seconds, apart from those that evaluate.
 //
-// A fit never runs where it could hold up an evaluation: neither on gRPC's threads nor on the
-// compute pool, and at the lowest priority that the system has for what still gets on. Thread
-// safety: any thread.
+// A fit, an assessment or the storing of an uploaded material never runs where it could hold up an
+// evaluation: neither on gRPC's threads nor on the compute pool, and at the lowest priority that
+// the system has for what still gets on. Thread safety: any thread.
 #pragma once
 
 #include <condition_variable>
@@ -15,7 +15,7 @@
 
 namespace gonio {
 
-class FitQueue {
+class BackgroundQueue {
  public:
   struct Job {
     std::function<void()> run;      // called exactly once, if the job was taken
@@ -23,10 +23,10 @@ class FitQueue {
   };
 
   // At most `max_jobs` wait or run at a time.
-  FitQueue(int threads, std::size_t max_jobs);
-  ~FitQueue();  // runs what is still queued
-  FitQueue(const FitQueue&) = delete;
-  FitQueue& operator=(const FitQueue&) = delete;
+  BackgroundQueue(int threads, std::size_t max_jobs);
+  ~BackgroundQueue();  // runs what is still queued
+  BackgroundQueue(const BackgroundQueue&) = delete;
+  BackgroundQueue& operator=(const BackgroundQueue&) = delete;
 
   [[nodiscard]] std::size_t max_jobs() const { return max_jobs_; }
   // False if the queue is full.

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace gonio::testing {
+namespace gonio::assess {
 
 // Gamma(a, x) / Gamma(a): the series below a + 1, the continued fraction (Lentz) above.
 inline double upper_gamma(double a, double x) {
@@ -56,4 +56,4 @@ inline double sidak(double level, std::size_t tests) {
   return -std::expm1(std::log1p(-level) / static_cast<double>(tests));
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::assess

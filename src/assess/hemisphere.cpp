@@ -1,16 +1,17 @@
-#include "models/hemisphere.h"
+#include "assess/hemisphere.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace gonio::testing {
+namespace gonio::assess {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kTolerance = 1e-6;   // of a cell, relative to the whole integral
 constexpr double kLargest = 1. / 64;  // of the mass, that a cell may hold
-constexpr std::size_t kMostCells = 60'000;
+// Of few columns; many columns, fewer cells.
+constexpr std::size_t kMostCells = 60'000, kMostNumbers = 600'000;
 
 constexpr std::size_t kNodes = 5;
 constexpr std::array<double, kNodes> kAt{0.0469100770306680, 0.2307653449471585, 0.5,
@@ -96,16 +97,23 @@ void Subdivision::append_nodes(const Cell& cell, std::vector<double>& wo,
   }
 }
 
+// A few cells at a time, or the values of many channels would take a gigabyte.
 std::vector<double> Subdivision::integrate(const std::vector<Cell>& cells,
                                            const Integrands& integrands) const {
+  constexpr std::size_t kRun = 64, kSquare = kNodes * kNodes;
   std::vector<double> wo, weights, sums(cells.size() * columns_);
-  for (const Cell& cell : cells) append_nodes(cell, wo, weights);
-  const std::vector<double> values = integrands(wo);
   const std::size_t given = columns_ - 1;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    double* to = &sums[i / (kNodes * kNodes) * columns_];
-    for (std::size_t c = 0; c < given; ++c) to[c] += weights[i] * values[i * given + c];
-    to[given] += weights[i];
+  for (std::size_t begin = 0; begin < cells.size(); begin += kRun) {
+    wo.clear();
+    weights.clear();
+    for (std::size_t i = begin; i < std::min(begin + kRun, cells.size()); ++i)
+      append_nodes(cells[i], wo, weights);
+    const std::vector<double> values = integrands(wo);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      double* to = &sums[(begin + i / kSquare) * columns_];
+      for (std::size_t c = 0; c < given; ++c) to[c] += weights[i] * values[i * given + c];
+      to[given] += weights[i];
+    }
   }
   return sums;
 }
@@ -164,7 +172,8 @@ void Subdivision::settle(std::size_t cell, const std::vector<double>& halves,
   const bool across_u = by_u > by_t;
   const std::size_t first = across_u ? 0 : 2;
   const bool coarse = integrals_[cell * columns_] > kLargest;
-  if ((std::max(by_u, by_t) > kTolerance || coarse) && cells_.size() < kMostCells) {
+  const std::size_t most = std::min(kMostCells, kMostNumbers / columns_);
+  if ((std::max(by_u, by_t) > kTolerance || coarse) && cells_.size() < most) {
     const auto parts = halves_of(cells_[cell]);
     cells_[cell].child = cells_.size();
     cells_[cell].across_u = across_u;
@@ -183,4 +192,4 @@ void Subdivision::settle(std::size_t cell, const std::vector<double>& halves,
   }
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::assess

@@ -1,4 +1,4 @@
-#include "server/fit_queue.h"
+#include "server/background_queue.h"
 
 #include <sys/resource.h>
 
@@ -13,11 +13,11 @@ constexpr int kLowestPriority = 19;  // the nice value
 
 }  // namespace
 
-FitQueue::FitQueue(int threads, std::size_t max_jobs) : max_jobs_(max_jobs) {
+BackgroundQueue::BackgroundQueue(int threads, std::size_t max_jobs) : max_jobs_(max_jobs) {
   for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
 }
 
-FitQueue::~FitQueue() {
+BackgroundQueue::~BackgroundQueue() {
   {
     const std::lock_guard lock(mutex_);
     stopping_ = true;
@@ -26,7 +26,7 @@ FitQueue::~FitQueue() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-bool FitQueue::submit(Job job) {
+bool BackgroundQueue::submit(Job job) {
   {
     const std::lock_guard lock(mutex_);
     if (running_ + waiting_.size() >= max_jobs_) return false;
@@ -36,7 +36,7 @@ bool FitQueue::submit(Job job) {
   return true;
 }
 
-void FitQueue::drop_over() {
+void BackgroundQueue::drop_over() {
   std::deque<Job> over;
   {
     const std::lock_guard lock(mutex_);
@@ -48,7 +48,7 @@ void FitQueue::drop_over() {
   for (const Job& job : over) job.run();
 }
 
-void FitQueue::work() {
+void BackgroundQueue::work() {
   // Of this thread alone, as Linux has it. Where it is refused, fits only share more.
   setpriority(PRIO_PROCESS, 0, kLowestPriority);
   std::unique_lock lock(mutex_);

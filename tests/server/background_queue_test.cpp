@@ -1,5 +1,6 @@
-// The queue of fits: bounded, each job once, what nobody waits for gives its place back.
-#include "server/fit_queue.h"
+// The queue of fits and uploads: bounded, each job once, what nobody waits for gives its place
+// back.
+#include "server/background_queue.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -11,26 +12,26 @@
 namespace gonio {
 namespace {
 
-FitQueue::Job job(
+BackgroundQueue::Job job(
     std::function<void()> run, std::function<bool()> is_over = [] { return false; }) {
   return {std::move(run), std::move(is_over)};
 }
 
-TEST(FitQueue, RunsAllThatItTookBeforeItEnds) {
+TEST(BackgroundQueue, RunsAllThatItTookBeforeItEnds) {
   std::atomic<int> runs{0};
   {
-    FitQueue queue(2, 100);
+    BackgroundQueue queue(2, 100);
     for (int i = 0; i < 100; ++i) ASSERT_TRUE(queue.submit(job([&] { ++runs; })));
   }
   EXPECT_EQ(runs, 100);
 }
 
-TEST(FitQueue, RefusesOneMoreThanItTakes) {
+TEST(BackgroundQueue, RefusesOneMoreThanItTakes) {
   std::promise<void> go;
   std::atomic<int> runs{0};
   const auto wait = [&, open = go.get_future().share()] { open.wait(), ++runs; };
   {
-    FitQueue queue(1, 3);
+    BackgroundQueue queue(1, 3);
     for (int i = 0; i < 3; ++i) ASSERT_TRUE(queue.submit(job(wait)));
     EXPECT_FALSE(queue.submit(job(wait)));
     EXPECT_EQ(queue.max_jobs(), 3U);
@@ -39,11 +40,11 @@ TEST(FitQueue, RefusesOneMoreThanItTakes) {
   EXPECT_EQ(runs, 3);
 }
 
-TEST(FitQueue, GivesThePlacesBackThatNobodyWaitsFor) {
+TEST(BackgroundQueue, GivesThePlacesBackThatNobodyWaitsFor) {
   std::promise<void> go, begun;
   std::atomic<bool> over{false};
   std::atomic<int> dropped{0};
-  FitQueue queue(1, 2);
+  BackgroundQueue queue(1, 2);
   ASSERT_TRUE(queue.submit(job([&] { begun.set_value(), go.get_future().wait(); })));
   begun.get_future().wait();
   ASSERT_TRUE(queue.submit(job([&] { ++dropped; }, [&] { return over.load(); })));
@@ -57,9 +58,9 @@ TEST(FitQueue, GivesThePlacesBackThatNobodyWaitsFor) {
   go.set_value();
 }
 
-TEST(FitQueue, RunsBehindAllElse) {
+TEST(BackgroundQueue, RunsBehindAllElse) {
   std::promise<int> priority;
-  FitQueue queue(1, 1);
+  BackgroundQueue queue(1, 1);
   ASSERT_TRUE(queue.submit(job([&] { priority.set_value(getpriority(PRIO_PROCESS, 0)); })));
   EXPECT_EQ(priority.get_future().get(), 19);
   EXPECT_LT(getpriority(PRIO_PROCESS, 0), 19);

@@ -1,0 +1,156 @@
+#include <google/protobuf/util/json_util.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "client/check_answer.h"
+#include "client/client.h"
+#include "client/convert.h"
+#include "client/state.h"
+#include "gonio/v1/assess.pb.h"
+#include "wire/bytes.h"
+
+namespace gonio::client {
+namespace {
+
+namespace v1 = gonio::v1;
+
+template <class Set>
+void set(const std::optional<double>& limit, const Set& to) {
+  if (limit) to(*limit);
+}
+
+void fill(const AssessLimits& from, v1::AssessLimits& to) {
+  set(from.error, [&](double x) { to.set_error(x); });
+  set(from.reference_error, [&](double x) { to.set_reference_error(x); });
+  set(from.reciprocity, [&](double x) { to.set_reciprocity(x); });
+  set(from.gain, [&](double x) { to.set_gain(x); });
+  set(from.loss, [&](double x) { to.set_loss(x); });
+  set(from.mass, [&](double x) { to.set_mass(x); });
+  set(from.weight_error, [&](double x) { to.set_weight_error(x); });
+  set(from.probability, [&](double x) { to.set_probability(x); });
+  set(from.deviation, [&](double x) { to.set_deviation(x); });
+}
+
+// 0 would mean the default on the wire.
+Outcome check(const AssessOptions& options) {
+  if (options.pairs == 0) return bad_value("pairs", "0", "1 to 1000000");
+  if (options.seed == 0) return bad_value("seed", "0", "1 or more");
+  return Ok{};
+}
+
+Result<v1::AssessRequest> request_of(const Material& material, const AssessOptions& options) {
+  if (auto checked = check(options); !checked) return checked.error();
+  v1::AssessRequest request;
+  if (!request.mutable_material()->ParseFromString(material.wire()))
+    return bad_value("material", "not readable", "one made by client::Material");
+  fill(options.limits, *request.mutable_limits());
+  request.set_pairs(options.pairs);
+  request.set_seed(options.seed);
+  request.set_instruction_set(to_wire(options.instruction_set));
+  return request;
+}
+
+template <class From, class Convert>
+auto all(const From& from, const Convert& convert) {
+  std::vector<decltype(convert(from[0]))> to;
+  to.reserve(static_cast<std::size_t>(from.size()));
+  for (const auto& element : from) to.push_back(convert(element));
+  return to;
+}
+
+std::array<double, 3> direction_of(const google::protobuf::RepeatedField<double>& from) {
+  std::array<double, 3> to{};
+  std::copy_n(from.begin(), std::min(from.size(), 3), to.begin());
+  return to;
+}
+
+std::vector<double> numbers_of(const google::protobuf::RepeatedField<double>& from) {
+  return {from.begin(), from.end()};
+}
+
+AssessWorst worst_of(const v1::AssessWorst& from) {
+  return {
+      from.error(), direction_of(from.wi()), direction_of(from.wo()), from.channel(), from.value(),
+      from.truth()};
+}
+
+AssessFindings findings_of(const v1::AssessFindings& from) {
+  return {from.nan(),   from.infinite(), from.negative(),
+          from.stray(), from.checked(),  worst_of(from.worst())};
+}
+
+AssessPlace place_of(const v1::AssessPlace& from) {
+  AssessPlace to;
+  to.name = from.name(), to.where = from.where(), to.failure = from.failure();
+  to.pairs = from.pairs();
+  to.fast = findings_of(from.fast());
+  to.reference = findings_of(from.reference());
+  if (from.has_naive_float32()) to.naive32 = findings_of(from.naive_float32());
+  if (from.has_naive_float64()) to.naive64 = findings_of(from.naive_float64());
+  to.reciprocity = worst_of(from.reciprocity());
+  return to;
+}
+
+AssessIncidence incidence_of(const v1::AssessIncidence& from) {
+  AssessIncidence to;
+  to.theta = from.theta(), to.phi = from.phi();
+  to.albedo = numbers_of(from.albedo());
+  to.sampled = numbers_of(from.sampled());
+  to.standard_error = numbers_of(from.standard_error());
+  to.mass = from.mass(), to.lost = from.lost(), to.unsure = from.unsure();
+  to.probability = from.probability();
+  to.weight = worst_of(from.weight());
+  return to;
+}
+
+AssessCheck check_of(const v1::AssessCheck& from) {
+  return {from.name(), from.value(), from.limit(), from.passed(), from.where()};
+}
+
+Result<std::string> json_of(const v1::AssessResponse& response) {
+  google::protobuf::util::JsonPrintOptions options;
+  options.add_whitespace = true;
+  options.always_print_primitive_fields = true;
+  options.preserve_proto_field_names = true;
+  std::string json;
+  const auto status = google::protobuf::util::MessageToJsonString(response, &json, options);
+  if (!status.ok()) return Error{ErrorCode::internal, status.ToString(), {}, {}, {}};
+  return json;
+}
+
+Result<Assessment> assessment_of(const v1::AssessResponse& response) {
+  auto json = json_of(response);
+  if (!json) return json.error();
+  Assessment to;
+  to.passed = response.passed();
+  to.checks = all(response.checks(), check_of);
+  to.places = all(response.places(), place_of);
+  to.incidences = all(response.incidences(), incidence_of);
+  to.channels = static_cast<int>(response.channels());
+  to.fast = error_bound_of(response.fast());
+  to.reference = error_bound_of(response.reference());
+  to.instruction_set = instruction_set_of(response.instruction_set());
+  to.cpu_seconds = response.cpu_seconds();
+  to.json = std::move(*json);
+  return to;
+}
+
+}  // namespace
+
+Result<Assessment> Client::assess(const Material& material, const AssessOptions& options) const {
+  const auto request = request_of(material, options);
+  if (!request) return request.error();
+  const grpc::Slice slice(request->SerializeAsString());
+  Patience patience(state_->options, options.deadline);
+  auto bytes = call(state_->peer, kAssessMethod, {&slice, 1}, patience);
+  if (!bytes) return bytes.error();
+  v1::AssessResponse response;
+  const wire::SliceBytes content = wire::SliceBytes::of(*bytes);
+  if (!response.ParseFromString(content.text(0, content.size())))
+    return malformed(state_->peer, "it cannot be read");
+  return assessment_of(response);
+}
+
+}  // namespace gonio::client

@@ -1,0 +1,141 @@
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "client/cli/assess_table.h"
+#include "client/cli/commands.h"
+#include "client/cli/common_arguments.h"
+#include "client/cli/exit_codes.h"
+#include "client/cli/material_argument.h"
+#include "client/cli/output_file.h"
+
+namespace gonio::cli {
+namespace {
+
+constexpr const char* kFooter = R"(
+Places: for each place where reflectance models fail, the worst relative error of both precisions
+against the formula in long double, the number of NaN, infinite and negative values and of values
+where there should be none ("bad"), and what the same formula in naive arithmetic gives.
+
+Incidences: albedo by quadrature, what is gained and lost, how far the mean weight of samples is off,
+the integral of the samples' density and the part of samples below the horizon (together 1), the
+probability of the samples by chi-square, and the error of weight x pdf against f cos.
+
+Checks and their limits:
+  improper, stray   no bad values                 energy_gain     --max-gain
+  error_fast        --max-error                   energy_loss     --max-loss
+  error_reference   --max-reference-error         pdf_mass        --max-mass-error
+  reciprocity       --max-reciprocity             weights         --max-weight-error
+                                                  sampled_albedo  --max-deviation
+                                                  distribution    --min-probability
+
+Exit status 4 if a check failed.
+
+Examples:
+  gonio assess --material gold.json
+  gonio assess --material gold.json --max-gain 0.01 --report gold-assessed.json || echo "not good enough")";
+
+struct AssessArguments : CommonArguments {
+  client::AssessOptions options;
+  std::string report;  // empty: none
+};
+
+struct LimitOption {
+  const char* name;
+  std::optional<double> client::AssessLimits::*limit;
+  const char* what;
+};
+
+constexpr std::array<LimitOption, 9> kLimits{{
+    {"--max-error", &client::AssessLimits::error,
+     "Relative error of the fast precision; the stated bound"},
+    {"--max-reference-error", &client::AssessLimits::reference_error,
+     "Relative error of the reference precision; the stated bound"},
+    {"--max-reciprocity", &client::AssessLimits::reciprocity,
+     "Relative difference when light and viewer change places; twice the stated bound"},
+    {"--max-gain", &client::AssessLimits::gain, "Albedo above 1; 0.001"},
+    {"--max-loss", &client::AssessLimits::loss, "Albedo below 1, 0 to 1; 1, which allows any"},
+    {"--max-mass-error", &client::AssessLimits::mass,
+     "How far the density's integral and the mass below the horizon are from 1; 0.005"},
+    {"--max-weight-error", &client::AssessLimits::weight_error,
+     "Relative error of weight x pdf; the stated bound and four roundings"},
+    {"--max-deviation", &client::AssessLimits::deviation,
+     "Of albedos by samples, in standard errors; 5"},
+    {"--min-probability", &client::AssessLimits::probability,
+     "Of the samples, by chi-square, 0 to 1; 1e-6"},
+}};
+
+Result<std::optional<OutputFile>> open_report(const std::string& file) {
+  if (file.empty()) return std::optional<OutputFile>();
+  auto output = OutputFile::open(file);
+  if (!output) return output.error();
+  return std::optional<OutputFile>(std::move(*output));
+}
+
+Outcome write_all(OutputFile& output, const std::string& text) {
+  if (auto written = output.write(text); !written) return written;
+  return output.commit();
+}
+
+int run(AssessArguments& arguments) {
+  auto material = read_material(arguments.material, arguments.connection.server.empty());
+  if (!material) return fail(material.error());
+  auto connection = Connection::open(arguments.connection);
+  if (!connection) return fail(connection.error());
+  auto report = open_report(arguments.report);
+  if (!report) return fail(report.error());
+  arguments.options.instruction_set = arguments.evaluate_options().instruction_set;
+  const auto assessment = connection->client.assess(*material, arguments.options);
+  if (!assessment) return fail(assessment.error());
+  if (*report) {
+    if (auto written = write_all(**report, assessment->json + "\n"); !written)
+      return fail(written.error());
+  }
+  // The table must not stand among what is read from standard output.
+  if (!arguments.quiet) {
+    std::fputs(assess_table(*assessment, arguments.verbose).c_str(),
+               arguments.report == "-" ? stderr : stdout);
+  }
+  return assessment->passed ? exit_ok : exit_bad_verdict;
+}
+
+void add_limits(CLI::App& command, client::AssessLimits& limits) {
+  for (const LimitOption& option : kLimits) {
+    command.add_option(option.name, limits.*option.limit, option.what)->type_name("X");
+  }
+}
+
+}  // namespace
+
+Command add_assess_command(CLI::App& app) {
+  auto arguments = std::make_shared<AssessArguments>();
+  CLI::App* command =
+      app.add_subcommand("assess", "Where a material fails: accuracy, energy, samples; a verdict");
+  command->footer(std::string(kMaterialHelp) + kFooter);
+  add_material_options(*command, *arguments);
+  command->remove_option(command->get_option("--precision"));  // both are looked at
+  add_limits(*command, arguments->options.limits);
+  command
+      ->add_option("--pairs", arguments->options.pairs,
+                   "Pairs at each place, 1 to 1000000; 4000 if not given")
+      ->type_name("N")
+      ->check(CLI::Range(1U, 1'000'000U).description(""));
+  command
+      ->add_option("--seed", arguments->options.seed,
+                   "Of pairs and samples, 1 or more; 1 if not given")
+      ->type_name("N")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U).description(""));
+  command
+      ->add_option("--report,--json", arguments->report,
+                   "Write all of it as JSON; - is stdout, the table then goes to stderr")
+      ->type_name("FILE");
+  command->add_flag("--quiet,-q", arguments->quiet, "No table");
+  command->add_flag("--verbose,-v", arguments->verbose,
+                    "Say of each place what is special there, and where the worst error is");
+  return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace gonio::cli

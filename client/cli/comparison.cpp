@@ -1,0 +1,67 @@
+#include "client/cli/comparison.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "client/cli/material_argument.h"
+#include "engine/material_impl.h"
+#include "server/materials.h"
+
+namespace gonio::cli {
+namespace {
+
+Result<Compared> build(const Materials& materials, const std::string& argument) {
+  auto material = read_material(argument, true);
+  if (!material) return material.error();
+  auto built = materials.resolve(material->wire());
+  if (!built) return built.error();
+  return Compared{shown_name(argument), std::move(*material), built->material()};
+}
+
+Result<fit::Data> data_of(const MeasuredInput& input, const Materials& materials) {
+  if (input.measured) {
+    const auto material = materials.resolve(input.measured->wire());
+    if (!material) return material.error();
+    return fit::from_table(*material->material().impl().table);
+  }
+  const auto wide = [](const std::vector<float>& x) {
+    return std::vector<double>(x.begin(), x.end());
+  };
+  return fit::from_pairs(wide(input.wi), wide(input.wo), wide(input.values), input.channels,
+                         wide(input.weights));
+}
+
+Outcome check_channels(const std::string& name, const Material& material, const fit::Data& data) {
+  if (material.channels() == 1 || material.channels() == data.channels) return Ok{};
+  return bad_value("--material " + name,
+                   "a material of " + std::to_string(material.channels()) + " channels",
+                   "1 or " + std::to_string(data.channels) + ", those of the reference");
+}
+
+}  // namespace
+
+std::string shown_name(const std::string& argument) {
+  if (argument.find('{') != std::string::npos) return argument;
+  return std::filesystem::path(argument).filename().string();
+}
+
+Result<Comparison> read_comparison(const std::string& reference,
+                                   const std::vector<std::string>& arguments, bool degrees) {
+  Materials materials;
+  materials.allow_local_files();
+  auto input = read_measured(reference, true, degrees);
+  if (!input) return input.error();
+  auto data = data_of(*input, materials);
+  if (!data) return data.error();
+  Comparison comparison{std::move(*input), std::move(*data), {}};
+  for (const std::string& argument : arguments) {
+    auto one = build(materials, argument);
+    if (!one) return one.error();
+    if (auto agree = check_channels(argument, one->material, comparison.data); !agree)
+      return agree.error();
+    comparison.compared.push_back(std::move(*one));
+  }
+  return comparison;
+}
+
+}  // namespace gonio::cli

@@ -1,0 +1,37 @@
+// What `gonio compare` compares: measurements and materials, read and built. Thread safety: no
+// state.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "client/cli/measured_input.h"
+#include "client/material.h"
+#include "engine/material.h"
+#include "fit/data.h"
+
+namespace gonio::cli {
+
+// A material by its name in tables and pictures.
+struct Compared {
+  std::string name;
+  client::Material asked;  // as the service takes it
+  Material material;       // the same, built
+};
+
+struct Comparison {
+  MeasuredInput input;
+  fit::Data data;  // the same, as metrics take it
+  std::vector<Compared> compared;
+};
+
+// `arguments` are those of --material. Errors name the file or the option: what cannot be read or
+// built, and materials of other channels than the reference has.
+Result<Comparison> read_comparison(const std::string& reference,
+                                   const std::vector<std::string>& arguments, bool degrees);
+
+// A file's name, or JSON as it is.
+std::string shown_name(const std::string& argument);
+
+}  // namespace gonio::cli

@@ -1,0 +1,94 @@
+#include "server/material_folder.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+namespace gonio {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error cannot_store(const std::string& what, int reason) {
+  const bool full = reason == ENOSPC || reason == EDQUOT;
+  return {full ? ErrorCode::resource_exhausted : ErrorCode::internal,
+          "the server cannot store the material: " + what + ": " + std::strerror(reason),
+          {},
+          {},
+          full ? "what there is room for on its disk" : ""};
+}
+
+Error taken(const std::string& name) {
+  return bad_value("file.name", "\"" + name + "\", for which the materials folder has a file",
+                   "a name that no stored material has", ErrorCode::already_exists);
+}
+
+// 0, or errno.
+int write_all(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(descriptor, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return ::fchmod(descriptor, 0644) == 0 && ::fsync(descriptor) == 0 ? 0 : errno;
+}
+
+// The new name reaches the disk with the folder.
+void sync_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+}  // namespace
+
+bool can_be_written(const fs::path& folder) { return ::access(folder.c_str(), W_OK | X_OK) == 0; }
+
+Result<NewFile> NewFile::create(const fs::path& folder, std::string_view content) {
+  std::string name = folder / ".put-XXXXXX";  // not loaded: neither .json nor .binary
+  const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor < 0) return cannot_store("no file can be created", errno);
+  NewFile file(folder, name);
+  const int problem = write_all(descriptor, content);
+  ::close(descriptor);
+  if (problem != 0) return cannot_store("the file cannot be written", problem);
+  return file;
+}
+
+NewFile::~NewFile() {
+  std::error_code ignored;
+  if (!temporary_.empty()) fs::remove(temporary_, ignored);
+}
+
+NewFile::NewFile(NewFile&& other) noexcept
+    : folder_(std::move(other.folder_)), temporary_(std::exchange(other.temporary_, {})) {}
+
+NewFile& NewFile::operator=(NewFile&& other) noexcept {
+  std::swap(folder_, other.folder_);
+  std::swap(temporary_, other.temporary_);
+  return *this;
+}
+
+Outcome NewFile::place(const std::string& name) {
+  std::error_code ignored;
+  // With both, the next start would not know which is meant.
+  if (fs::exists(folder_ / (name + ".json"), ignored)) return taken(name);
+  const fs::path target = folder_ / (name + ".binary");
+  // Unlike rename(), it does not replace what another process has put there meanwhile.
+  if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) != 0)
+    return errno == EEXIST ? Outcome(taken(name)) : cannot_store("it cannot be named", errno);
+  temporary_.clear();
+  sync_folder(folder_);
+  return Ok{};
+}
+
+}  // namespace gonio

@@ -1,0 +1,57 @@
+#include "assess/assess.h"
+
+#include <time.h>
+
+#include <utility>
+
+#include "assess/accuracy.h"
+#include "assess/energy.h"
+#include "assess/places.h"
+#include "assess/verdict.h"
+
+namespace gonio::assess {
+namespace {
+
+// Of this thread.
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+Result<Report> assess(const Subject& subject, const Options& options,
+                      const std::function<bool()>& stop) {
+  if (auto checked = check_options(options); !checked) return checked.error();
+  const double start = cpu_seconds();
+  const auto is_over = [&stop] { return stop && stop(); };
+  Report report;
+  report.channels = subject.channels;
+  report.fast = subject.fast, report.reference = subject.reference;
+  for (std::size_t place = 0; place < places().size() && !is_over(); ++place) {
+    auto found = look_at(place, subject, options.pairs, options.seed, stop);
+    if (found) report.places.push_back(std::move(*found));
+  }
+  for (const Angles& angles : incidences_of(subject, options.seed)) {
+    if (is_over()) break;
+    report.incidences.push_back(look_from(angles, subject, options.seed, stop));
+  }
+  if (is_over()) return Error{ErrorCode::cancelled, "the assessment was cancelled", {}, {}, {}};
+  judge(options.limits, report);
+  report.cpu_seconds = cpu_seconds() - start;
+  return report;
+}
+
+Result<Report> assess(const Sampler& sampler, const Options& options, Isa isa,
+                      const std::function<bool()>& stop) {
+  return assess(subject_of(sampler, isa), options, stop);
+}
+
+std::size_t memory_of(int channels, const Options& options) {
+  constexpr std::size_t kChunk = 2048, kQuadrature = std::size_t{24} << 20U;
+  const auto values = static_cast<std::size_t>(channels) * std::min(kChunk, options.pairs);
+  return kQuadrature + values * 16 * sizeof(double);
+}
+
+}  // namespace gonio::assess

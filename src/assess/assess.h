@@ -1,0 +1,52 @@
+// Where does a material fail? Its values at the places where methods are known to fail, held
+// against truth, and beside what naive arithmetic gives there; its energy and its samples by
+// incidence; and a verdict by limits of the caller's.
+//
+// Some tenths of a second to a few seconds of one thread. Thread safety: a function without state.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "assess/report.h"
+#include "base/result.h"
+#include "engine/isa.h"
+#include "engine/sampler.h"
+
+namespace gonio::assess {
+
+// What is still allowed. No value is ever allowed to be NaN, infinite or negative, nor light where
+// there is none.
+struct Limits {
+  // Relative errors of the precisions; if not given, the bounds that the material states.
+  std::optional<double> error, reference_error;
+  std::optional<double> reciprocity;   // if not given, twice the bound of Precision::fast
+  double gain = 1e-3;                  // albedo above 1
+  double loss = 1;                     // albedo below 1; 1: any
+  double mass = 5e-3;                  // |integral of the pdf + lost mass - 1|
+  std::optional<double> weight_error;  // if not given, the bound of Precision::fast and 4 roundings
+  double probability = 1e-6;           // the least of chi-square
+  double deviation = 5;                // of albedos by samples, in standard errors
+};
+
+struct Options {
+  Limits limits;
+  std::size_t pairs = 4000;  // at each place, up to kMostPairs
+  std::uint64_t seed = 1;
+};
+inline constexpr std::size_t kMostPairs = 1'000'000;
+
+// Errors: options out of bounds, by field ("limits.gain"); cancelled, as soon as `stop`, asked some
+// hundred times a second, says so.
+Result<Report> assess(const Sampler& sampler, const Options& options, Isa isa,
+                      const std::function<bool()>& stop = {});
+// The same of a material as a test may have broken it.
+Result<Report> assess(const Subject& subject, const Options& options,
+                      const std::function<bool()>& stop = {});
+
+// Memory that an assessment holds, about.
+std::size_t memory_of(int channels, const Options& options);
+
+}  // namespace gonio::assess

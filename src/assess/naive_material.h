@@ -1,0 +1,34 @@
+// A material in naive arithmetic (naive.h), for comparison. Thread safety: immutable.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/material.h"
+
+namespace gonio::assess {
+
+template <class T>
+class NaiveMaterial {
+ public:
+  using Direction = std::array<T, 3>;
+
+  // None for a material with a part of which no such form is known: a table.
+  static std::optional<NaiveMaterial> of(const Material& material);
+
+  // f of every channel, whatever comes out.
+  void evaluate(const Direction& wi, const Direction& wo, std::span<T> f) const;
+
+ private:
+  struct Lobe;
+  NaiveMaterial() = default;
+  std::vector<std::shared_ptr<const Lobe>> lobes_;
+};
+
+extern template class NaiveMaterial<float>;
+extern template class NaiveMaterial<double>;
+
+}  // namespace gonio::assess

@@ -1,0 +1,158 @@
+#include "assess/verdict.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace gonio::assess {
+namespace {
+
+std::string text_of(double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g", x);
+  return text.data();
+}
+
+std::string name_of(const Incidence& at) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  const std::string theta = text_of(at.theta * kDegrees) + " deg";
+  return at.phi == 0 ? theta : theta + ", phi " + text_of(at.phi * kDegrees);
+}
+
+// The largest of what `of` finds in each element, and where. NaN counts as the largest.
+template <class Elements, class Of, class Name>
+std::pair<double, std::string> largest(const Elements& elements, const Of& of, const Name& name) {
+  std::pair<double, std::string> found{0, {}};
+  for (const auto& element : elements) {
+    const double value = of(element);
+    if (value <= found.first || std::isnan(found.first)) continue;
+    found = {value, std::string(name(element))};
+  }
+  return found;
+}
+
+class Judgement {
+ public:
+  Judgement(const Limits& limits, Report& report) : limits_(limits), report_(report) {}
+
+  void judge_values() {
+    at_places("improper", 0, [](const PlaceReport& p) {
+      return static_cast<double>(p.fast.improper() + p.reference.improper());
+    });
+    at_places("stray", 0, [](const PlaceReport& p) {
+      return static_cast<double>(p.fast.stray + p.reference.stray);
+    });
+    at_places("error_fast", limits_.error.value_or(report_.fast.relative),
+              [](const PlaceReport& p) { return p.fast.worst.error; });
+    at_places("error_reference", limits_.reference_error.value_or(report_.reference.relative),
+              [](const PlaceReport& p) { return p.reference.worst.error; });
+    at_places("reciprocity", limits_.reciprocity.value_or(2 * report_.fast.relative),
+              [](const PlaceReport& p) { return p.reciprocity.error; });
+  }
+
+  void judge_energy() {
+    from_angles("energy_gain", limits_.gain, [](const Incidence& at) {
+      return *std::ranges::max_element(at.albedo) - 1 - at.unsure;
+    });
+    from_angles("energy_loss", limits_.loss, [](const Incidence& at) {
+      return 1 - *std::ranges::min_element(at.albedo) - at.unsure;
+    });
+  }
+
+  void judge_samples() {
+    // Four roundings: of the weight, the pdf, their product and the cosine.
+    constexpr double kRoundings = 4 * static_cast<double>(std::numeric_limits<float>::epsilon());
+    from_angles("pdf_mass", limits_.mass,
+                [](const Incidence& at) { return std::abs(at.mass + at.lost - 1) - at.unsure; });
+    from_angles("weights", limits_.weight_error.value_or(report_.fast.relative + kRoundings),
+                [](const Incidence& at) { return at.weight.error; });
+    from_angles("sampled_albedo", limits_.deviation, deviation);
+    judge_distribution();
+  }
+
+ private:
+  template <class Of>
+  void at_places(std::string_view check, double limit, const Of& of) {
+    add(check, largest(report_.places, of, [](const PlaceReport& p) { return p.name; }), limit);
+  }
+  template <class Of>
+  void from_angles(std::string_view check, double limit, const Of& of) {
+    add(check, largest(report_.incidences, of, name_of), limit);
+  }
+  void add(std::string_view check, std::pair<double, std::string> found, double limit) {
+    report_.checks.push_back(
+        {check, found.first, limit, found.first <= limit, std::move(found.second)});
+  }
+
+  // The one check with a least value.
+  void judge_distribution() {
+    Check check{"distribution", 1, limits_.probability, true, {}};
+    for (const Incidence& at : report_.incidences) {
+      if (at.probability >= check.value) continue;
+      check.value = at.probability;
+      check.where = name_of(at);
+    }
+    check.passed = check.value >= check.limit;
+    report_.checks.push_back(std::move(check));
+  }
+
+  // Of the mean weight from the quadrature's albedo, in standard errors, over all channels.
+  static double deviation(const Incidence& at) {
+    double most = 0;
+    for (std::size_t c = 0; c < at.albedo.size(); ++c) {
+      const double own = at.unsure + 1e-6 * at.albedo[c];
+      const double off = std::abs(at.sampled[c] - at.albedo[c]) - own;
+      const double error = std::max(at.standard_error[c], 1e-12);
+      if (!(off / error <= most)) most = off / error;
+    }
+    return most;
+  }
+
+  const Limits& limits_;
+  Report& report_;
+};
+
+Outcome check_limit(const char* field, const std::optional<double>& limit, double most) {
+  if (!limit || (*limit >= 0 && *limit <= most)) return Ok{};
+  return bad_value(std::string("limits.") + field, text_of(*limit), "0 to " + text_of(most));
+}
+
+}  // namespace
+
+Outcome check_options(const Options& options) {
+  constexpr double kAny = std::numeric_limits<double>::max();
+  const Limits& l = options.limits;
+  const std::initializer_list<std::tuple<const char*, std::optional<double>, double>> all{
+      {"error", l.error, kAny},
+      {"reference_error", l.reference_error, kAny},
+      {"reciprocity", l.reciprocity, kAny},
+      {"gain", l.gain, kAny},
+      {"loss", l.loss, 1},
+      {"mass", l.mass, kAny},
+      {"weight_error", l.weight_error, kAny},
+      {"probability", l.probability, 1},
+      {"deviation", l.deviation, kAny}};
+  for (const auto& [field, limit, most] : all) {
+    if (auto checked = check_limit(field, limit, most); !checked) return checked;
+  }
+  if (options.pairs < 1 || options.pairs > kMostPairs) {
+    return bad_value("pairs", std::to_string(options.pairs), "1 to " + std::to_string(kMostPairs));
+  }
+  return Ok{};
+}
+
+void judge(const Limits& limits, Report& report) {
+  report.checks.clear();
+  Judgement judgement(limits, report);
+  judgement.judge_values();
+  judgement.judge_energy();
+  judgement.judge_samples();
+  report.passed = std::ranges::all_of(report.checks, &Check::passed);
+}
+
+}  // namespace gonio::assess

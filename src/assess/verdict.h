@@ -1,0 +1,14 @@
+// From findings and limits to a verdict. Thread safety: functions without state.
+#pragma once
+
+#include "assess/assess.h"
+
+namespace gonio::assess {
+
+// Errors: a limit that is negative, not a number or beyond what it can be, by field.
+Outcome check_options(const Options& options);
+
+// Fills report.checks and report.passed from the rest of it.
+void judge(const Limits& limits, Report& report);
+
+}  // namespace gonio::assess

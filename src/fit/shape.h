@@ -1,0 +1,39 @@
+// A parameter that all channels share: where it may be, where a scan looks for it, and in what
+// scale.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gonio {
+struct Parameter;  // models/description.h
+}
+
+namespace gonio::fit {
+
+// The scale in which a shape parameter is searched: p = offset + exp(u), or p = u.
+struct SearchScale {
+  bool logarithmic = false;
+  double offset = 0;
+  [[nodiscard]] double to_parameter(double u) const;
+  [[nodiscard]] double to_search(double p) const;
+  [[nodiscard]] double slope(double u) const;  // dp/du
+};
+
+struct ShapeParameter {
+  std::size_t lobe;                // whose parameter it is
+  std::vector<std::string> names;  // one, or two that are held equal (alpha_x and alpha_y)
+  std::string field;               // as errors name it, e.g. "specular[0].parameters.m"
+  SearchScale scale;
+  double lower, upper, start;     // of the parameter, as the model's table has them
+  double scan_lower, scan_upper;  // where a scan looks
+  std::optional<double> guess;    // the caller's
+};
+
+// As the model's table has it; lobe, field and guess are the form's to fill in. `dielectric`: an
+// index of refraction is that of one.
+ShapeParameter shape_of(const Parameter& p, bool dielectric);
+
+}  // namespace gonio::fit

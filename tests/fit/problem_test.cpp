@@ -1,0 +1,57 @@
+// A problem's gradient against central differences of its cost, by every parameter of every model.
+#include "fit/problem.h"
+
+#include <gtest/gtest.h>
+
+#include "fit/cases.h"
+#include "fit/node.h"
+#include "fit/search.h"
+#include "fit/synthetic.h"
+
+namespace gonio::testing {
+namespace {
+
+// Somewhere beside the optimum, inside all bounds.
+std::vector<double> beside(const fit::Problem& problem) {
+  std::vector<double> shapes = fit::guess_of(problem.form());
+  for (double& u : shapes) u += 0.03;
+  std::vector<double> x = fit::solve_node(problem, shapes, 2).parameters;
+  for (std::size_t i = shapes.size(); i < x.size(); ++i) x[i] = 0.9 * x[i] + 0.01;
+  return x;
+}
+
+void expect_gradient(const Case& of, const fit::Data& data, fit::Objective objective) {
+  const auto form = fit::make_form(of.truth, {of.anisotropic});
+  ASSERT_TRUE(form.ok()) << form.error().message;
+  const fit::Problem problem(*form, data, {objective, 0.01, 0.1}, true);
+  std::vector<double> x = beside(problem);
+  const fit::Equations e = problem.equations(x, {});
+  EXPECT_NEAR(e.cost, problem.cost(x, false, {}), 1e-12 * e.cost);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    const double here = x[i], step = 1e-5 * std::max(std::abs(here), 0.1);
+    x[i] = here + step;
+    const double above = problem.cost(x, false, {});
+    x[i] = here - step;
+    const double below = problem.cost(x, false, {});
+    x[i] = here;
+    EXPECT_GT(e.matrix(at, at), 0) << "parameter " << i;
+    EXPECT_NEAR(e.gradient[at], (above - below) / (2 * step),
+                1e-6 * std::sqrt(2 * e.cost * e.matrix(at, at)))
+        << name_of(objective) << ", parameter " << i << " at " << here;
+  }
+}
+
+class Gradient : public ::testing::TestWithParam<Case> {};
+
+TEST_P(Gradient, IsThatOfTheCost) {
+  const fit::Data data = data_of(GetParam().truth, scattered_pairs(300, 1), 0.1);
+  for (int objective = 0; objective < fit::kObjectiveCount; ++objective)
+    expect_gradient(GetParam(), data, static_cast<fit::Objective>(objective));
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, Gradient, ::testing::ValuesIn(cases()),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace gonio::testing
