@@ -5,14 +5,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "assess/chi_square.h"
 #include "engine/sampler.h"
 #include "measured/synthetic_merl.h"
 #include "measured/table.h"
-#include "models/chi_square.h"
 
 namespace gonio::testing {
 namespace {
 
+using assess::chi_square_probability;
+using assess::sidak;
 using Vector = std::array<double, 3>;
 
 // A glossy lobe on a diffuse base. `holes` leaves out a part of the table.
