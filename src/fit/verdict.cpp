@@ -43,6 +43,19 @@ Reason not_the_model(const Certificate& report) {
   return {};
 }
 
+// Numbers that the model's table does not allow: the material is not what was found. Such a field
+// names no side (certify.cpp).
+Reason moved(const Certificate& report) {
+  std::vector<std::string> fields;
+  for (const std::string& field : report.active_bounds) {
+    if (field.find(' ') == std::string::npos) fields.push_back(field);
+  }
+  if (fields.empty()) return {};
+  return "the optimum is outside the bounds of the model's table, and the material was moved "
+         "inside: " +
+         joined(fields);
+}
+
 // A coefficient of zero is a colour like any other; the other bounds hold an optimum.
 Reason held(const Certificate& report) {
   std::vector<std::string> fields;
@@ -149,6 +162,7 @@ void judge(const Form& form, std::span<const double> parameters, const Data& fit
     report.reason = *reason;
   };
   decide(Verdict::failed, not_the_model(report));
+  decide(Verdict::bound_limited, moved(report));
   decide(Verdict::ambiguous, too_few(form, fitted));
   decide(Verdict::ambiguous, invisible(form, parameters, fitted.channels));
   decide(Verdict::ambiguous, other_basin(form, report));

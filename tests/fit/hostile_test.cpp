@@ -151,6 +151,22 @@ TEST(HostileData, Mirror) {
   EXPECT_GT(result->certificate.regions.mirror.measured, 0.9);
 }
 
+// One pair carries nearly all, beside the mirror direction: the narrowest lobe through it would
+// have to be higher than the model's table allows.
+TEST(HostileData, SaysThatTheMaterialWasMovedIntoItsBounds) {
+  Pairs at = scattered_pairs(500, 1);
+  at.wi.insert(at.wi.end(), {0.6, 0, 0.8});
+  at.wo.insert(at.wo.end(), {-0.6, 0, 0.8});
+  at.weights.push_back(1);
+  Numbers values(500, 1e-3);
+  values.push_back(3e7);
+  const auto data = *fit::from_pairs(at.wi, at.wo, values, 1, at.weights);
+  const auto result = fit::fit(
+      data, {{}, LobeSpec{"lambertian", {}}, {LobeSpec{"phong_mix", {{"fresnel", "none"}}}}}, {});
+  EXPECT_EQ(result->certificate.verdict, Verdict::bound_limited);
+  EXPECT_THAT(result->certificate.reason, HasSubstr("specular[0].parameters.scale"));
+}
+
 TEST(HostileData, TwoMaterialsMixed) {
   const Pairs at = scattered_pairs(3000, 1);
   const auto narrow = data_of(
