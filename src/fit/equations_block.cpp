@@ -13,8 +13,8 @@ constexpr double kNull = 1e-14;
 
 // R and r with R'R = H and R'r = g on H's range.
 struct Compressed {
-  Eigen::MatrixXd R;
-  Eigen::VectorXd r;
+  Eigen::MatrixXd factor;     // R
+  Eigen::VectorXd residuals;  // r
 };
 
 Compressed compress(const Eigen::MatrixXd& H, const Eigen::VectorXd& g) {
@@ -22,7 +22,7 @@ Compressed compress(const Eigen::MatrixXd& H, const Eigen::VectorXd& g) {
   const Eigen::VectorXd inverse = scale.cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(inverse.asDiagonal() * H *
                                                              inverse.asDiagonal());
-  const Eigen::VectorXd values = eigen.eigenvalues();
+  const Eigen::VectorXd& values = eigen.eigenvalues();
   const double least = kNull * std::max(values.maxCoeff(), 1e-300);
   Eigen::VectorXd root = values.cwiseMax(0).cwiseSqrt(), inverse_root = root;
   for (Eigen::Index i = 0; i < root.size(); ++i) {
@@ -67,10 +67,10 @@ bool EquationsBlock::Evaluate(double const* const* parameters, double* residuals
   const Compressed small = compress(e.matrix(free_, free_), e.gradient(free_));
   Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> J(jacobians[0],
                                                                                        n + 1, n);
-  J.topRows(n) = small.R;
+  J.topRows(n) = small.factor;
   J.row(n).setZero();
-  r.head(n) = small.r;
-  r[n] = std::sqrt(std::max(0.0, 2 * e.cost - small.r.squaredNorm()));
+  r.head(n) = small.residuals;
+  r[n] = std::sqrt(std::max(0.0, 2 * e.cost - small.residuals.squaredNorm()));
   return true;
 }
 
