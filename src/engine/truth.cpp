@@ -46,10 +46,14 @@ bool at_an_edge(const TablePosition<Extended>& at) {
   return near(at.h) || near(at.d) || near(at.p);
 }
 
-// Next to h = n, and not at it, the azimuth that a table is read at is a matter of rounding.
-bool has_no_azimuth(const Vec3<LongDouble>& h) {
-  const long double across = h.x.v * h.x.v + h.y.v * h.y.v;
-  return across > 0 && across < 1e-8L * h.z.v * h.z.v;
+// Next to h = n or wi = wo, and not at it, the azimuth that a table is read at is a matter of
+// rounding.
+bool has_no_azimuth(const Pair& pair) {
+  constexpr long double kNear = 1e-8L;  // of squared sines
+  const Vec3<LongDouble>&h = pair.half.h, d = pair.wi - pair.wo;
+  const long double across = h.x.v * h.x.v + h.y.v * h.y.v, apart = dot(d, d).v;
+  return (across > 0 && across < kNear * h.z.v * h.z.v) ||
+         (apart > 0 && apart < kNear * dot(h, h).v);
 }
 
 template <int kCorners>
@@ -57,7 +61,7 @@ void add_cells(const float* table, const Pair& pair, Results f, Results scale) {
   const TablePosition<Extended> at = locate(pair);
   Corner<Extended> corner[kCorners];
   find_corners(at, corner);
-  const bool unsure = (kCorners == 1 && at_an_edge(at)) || has_no_azimuth(pair.half.h);
+  const bool unsure = (kCorners == 1 && at_an_edge(at)) || has_no_azimuth(pair);
   for (std::size_t c = 0; c < f.size(); ++c) {
     long double total = 0, sum = 0, largest = 0;
     for (const auto& k : corner) {
