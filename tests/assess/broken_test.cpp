@@ -96,7 +96,7 @@ TEST(AssessPlanted, ImproperValuesAreFoundWhereTheyAre) {
   EXPECT_EQ(check_of(nan_at_mirror, "improper").where, "exact_mirror");
   EXPECT_GT(place_of(nan_at_mirror, "exact_mirror").fast.nan, 0U);
   EXPECT_EQ(place_of(nan_at_mirror, "retro").fast.nan, 0U);
-  const auto negative = report_of(with_values([](const Pair&, double f) { return f - 1e-2; }));
+  const auto negative = report_of(with_values([](const Pair&, double f) { return f - 0.1; }));
   EXPECT_GT(place_of(negative, "hemisphere").fast.negative, 0U);
   const auto infinite = report_of(
       with_values([](const Pair& pair, double f) { return pair.wi[2] < 1e-6 ? f / 0.0 : f; }));
@@ -149,8 +149,7 @@ TEST(AssessPlanted, WrongWeightsAreFound) {
 
 // Lost samples that are neither drawn again nor counted.
 TEST(AssessPlanted, ForgottenLossIsFound) {
-  Subject subject = subject_of(material_of(
-      alone("ggx", {{"alpha_x", number(0.9)}, {"alpha_y", number(0.9)}, {"f0", number(0.9)}})));
+  Subject subject = subject_of(material_of(ggx()));
   EXPECT_TRUE(report_of(subject).passed);
   const auto original = subject.draw;
   subject.draw = [=](const auto& wi, std::size_t count, const NumberSource& numbers,
