@@ -68,7 +68,7 @@ Outcome PutCall::take() {
   if (!grpc::SerializationTraits<v1::PutMaterialRequest>::Deserialize(&incoming_, &part).ok())
     return bad_value("request", "not a " + part.GetTypeName(), "the bytes of one");
   incoming_.Clear();
-  return upload_.take(std::move(part));
+  return upload_.take(part);
 }
 
 Outcome PutCall::queue_storing() {

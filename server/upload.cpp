@@ -15,7 +15,7 @@ std::string bytes(std::size_t count) { return std::to_string(count) + " bytes"; 
 
 }  // namespace
 
-Outcome Upload::take(v1::PutMaterialRequest part) {
+Outcome Upload::take(const v1::PutMaterialRequest& part) {
   switch (part.part_case()) {
     case v1::PutMaterialRequest::kFile:
       if (begun_) return bad_value("file", "given twice", "the first message's alone");

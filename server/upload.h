@@ -2,8 +2,8 @@
 // safety: used by one thread at a time.
 #pragma once
 
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -21,7 +21,7 @@ class Upload {
 
   // The next part. Errors name it ("file.name", "chunk"); resource_exhausted without an allowed
   // value where the memory is full for the moment.
-  Outcome take(v1::PutMaterialRequest part);
+  Outcome take(const v1::PutMaterialRequest& part);
   // After the last part. Errors: bytes that are missing (data_loss), another sum than was
   // announced.
   Outcome finish();

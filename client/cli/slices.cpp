@@ -61,7 +61,7 @@ double common_azimuth(const std::vector<InPlane>& pairs, double theta_i) {
   for (const InPlane& pair : pairs) {
     if (std::abs(pair.theta_i - theta_i) > kBeside) continue;
     const double half_turn = pair.phi_i - 180 * std::floor(pair.phi_i / 180);
-    const std::size_t bin = static_cast<std::size_t>(half_turn / kBin + 0.5) % kBins;
+    const std::size_t bin = static_cast<std::size_t>(std::lround(half_turn / kBin)) % kBins;
     if (counts[bin]++ == 0) first[bin] = pair.phi_i;
   }
   const auto most = std::max_element(counts.begin(), counts.end());

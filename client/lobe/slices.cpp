@@ -120,7 +120,8 @@ Result<std::vector<std::uint8_t>> draw_slices(const SlicesPicture& picture,
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const std::size_t column = i % picture.columns;
     const double left = width * static_cast<double>(column);
-    const double top = kHead + height * static_cast<double>(i / picture.columns);
+    const std::size_t row = i / picture.columns;
+    const double top = kHead + height * static_cast<double>(row);
     draw_panel(canvas, {left + kLeft, top + kAbove, left + width - kBeside, top + height - kBelow},
                scale_of(panels, column, picture.columns), panels[i]);
   }
