@@ -36,12 +36,12 @@ Outcome Evaluation::allocate(std::size_t request_bytes, std::size_t max_answer_b
             " channels, " + std::string(name_of(settings().precision)) +
             "); ask for the rest in further requests");
   }
-  items_ = static_cast<std::size_t>(source_.size());
-  bytes_ = request_bytes + items_ * per_pair;
-  auto flags = AnswerBuffer::allocate(items_);
-  auto values = AnswerBuffer::allocate(items_ * value_bytes);
-  auto pdf = AnswerBuffer::allocate(items_ * pdf_bytes);
-  if (!flags || !values || !pdf) return no_memory_for(std::to_string(items_) + " pairs");
+  const auto pairs = static_cast<std::size_t>(source_.size());
+  set_size(pairs, request_bytes + pairs * per_pair);
+  auto flags = AnswerBuffer::allocate(pairs);
+  auto values = AnswerBuffer::allocate(pairs * value_bytes);
+  auto pdf = AnswerBuffer::allocate(pairs * pdf_bytes);
+  if (!flags || !values || !pdf) return no_memory_for(std::to_string(pairs) + " pairs");
   flag_data_ = static_cast<std::uint8_t*>(flags->data);
   value_data_ = values->data;
   pdf_data_ = pdf->data;
@@ -69,7 +69,7 @@ void Evaluation::evaluate_tile(std::size_t first, std::size_t count) {
 
 void Evaluation::run_tile(std::size_t tile) {
   const std::size_t first = tile * kTilePairs;
-  const std::size_t count = std::min(kTilePairs, items_ - first);
+  const std::size_t count = std::min(kTilePairs, items() - first);
   if (settings().precision == Precision::fast) return evaluate_tile<float, float>(first, count);
   if (source_.is_f64()) return evaluate_tile<double, double>(first, count);
   evaluate_tile<float, double>(first, count);

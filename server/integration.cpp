@@ -49,8 +49,8 @@ Outcome Integration::allocate(std::size_t request_bytes, std::size_t max_answer_
                          std::to_string(channels()) +
                          " channels); ask for the rest in further requests");
   }
-  items_ = static_cast<std::size_t>(source_.samples());
-  bytes_ = request_bytes + source_.directions() * per_wi;
+  set_size(static_cast<std::size_t>(source_.samples()),
+           request_bytes + source_.directions() * per_wi);
   done_.resize(tiles());
   moments_.resize(tiles() * channels());
   return Ok{};

@@ -66,14 +66,14 @@ Outcome Sampling::allocate(std::size_t request_bytes, std::size_t max_answer_byt
                          std::string(name_of(settings().precision)) +
                          "); ask for the rest in further requests");
   }
-  items_ = static_cast<std::size_t>(count_);
-  bytes_ = request_bytes + items_ * per_sample;
-  auto wo = AnswerBuffer::allocate(items_ * 3 * number);
-  auto pdf = AnswerBuffer::allocate(items_ * number);
-  auto weights = AnswerBuffer::allocate(items_ * channels() * number);
-  auto flags = AnswerBuffer::allocate(items_);
+  const auto samples = static_cast<std::size_t>(count_);
+  set_size(samples, request_bytes + samples * per_sample);
+  auto wo = AnswerBuffer::allocate(samples * 3 * number);
+  auto pdf = AnswerBuffer::allocate(samples * number);
+  auto weights = AnswerBuffer::allocate(samples * channels() * number);
+  auto flags = AnswerBuffer::allocate(samples);
   if (!wo || !pdf || !weights || !flags) {
-    return no_memory_for(std::to_string(items_) + " samples");
+    return no_memory_for(std::to_string(samples) + " samples");
   }
   wo_data_ = wo->data;
   pdf_data_ = pdf->data;
@@ -115,7 +115,7 @@ void Sampling::sample_tile(std::size_t first, std::size_t count) {
 
 void Sampling::run_tile(std::size_t tile) {
   const std::size_t first = tile * kTilePairs;
-  const std::size_t count = std::min(kTilePairs, items_ - first);
+  const std::size_t count = std::min(kTilePairs, items() - first);
   if (settings().precision == Precision::fast) return sample_tile<float>(first, count);
   sample_tile<double>(first, count);
 }

@@ -76,8 +76,11 @@ class Work {
   void run_timed(const Body& body);
   [[nodiscard]] bool any_flagged() const { return any_flags_ != 0; }
   void write(v1::Report& report) const;
-
-  std::size_t items_ = 0, bytes_ = 0;
+  // What is to be computed, and the memory that it and its request hold.
+  void set_size(std::size_t items, std::size_t bytes) {
+    items_ = items;
+    bytes_ = bytes;
+  }
 
  private:
   static constexpr std::size_t kSmallValues = 3 * 1024;
@@ -85,6 +88,7 @@ class Work {
   void add_time(std::int64_t nanoseconds) { kernel_nanoseconds_ += nanoseconds; }
   static std::int64_t now();
 
+  std::size_t items_ = 0, bytes_ = 0;
   PreparedMaterial material_;
   Settings settings_;
   bool needs_sampler_;
