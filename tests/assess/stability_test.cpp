@@ -66,7 +66,7 @@ std::vector<Entry> cancellations() {
   return {
       {"AS, h to n", "lobe",
        alone("ashikhmin_shirley", {{"nu", number(1e4)}, {"nv", number(10)}, {"rd", off}}), 1e-3,
-       1e-3, true},
+       1e-3},
       {"Phong, wr.wo to 1", "near_mirror", alone("phong", {{"s", number(1e5)}}), 5e-3, 2e-3},
       {"Schlick at retro-reflection", "retro",
        alone("cook_torrance", {{"m", number(1)}, {"f0", off}}), 1e-2},
