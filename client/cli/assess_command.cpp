@@ -18,7 +18,8 @@ namespace {
 constexpr const char* kFooter = R"(
 Places: for each place where reflectance models fail, the worst relative error of both precisions
 against the formula in long double, the number of NaN, infinite and negative values and of values
-where there should be none ("bad"), and what the same formula in naive arithmetic gives.
+where there should be none ("bad"), and what the same formula in naive arithmetic gives. Pairs have a
+value for each channel.
 
 Incidences: albedo by quadrature, what is gained and lost, how far the mean weight of samples is off,
 the integral of the samples' density and the part of samples below the horizon (together 1), the

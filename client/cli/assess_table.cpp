@@ -10,7 +10,7 @@
 namespace gonio::cli {
 namespace {
 
-constexpr std::size_t kName = 18, kCount = 9, kCell = 11, kNaive = 25;
+constexpr std::size_t kName = 18, kCount = 9, kCell = 11, kNaive = 28;
 
 std::string number(double x, const char* format = "%.2g") {
   char text[32];
@@ -138,8 +138,9 @@ std::string verdict_of(const client::Assessment& assessment) {
 }  // namespace
 
 std::string assess_table(const client::Assessment& assessment, bool verbose) {
-  std::string text = std::to_string(assessment.channels) + " channels; stated relative errors " +
-                     number(assessment.fast.relative) + " (fast), " +
+  std::string text = std::to_string(assessment.channels) +
+                     (assessment.channels == 1 ? " channel" : " channels") +
+                     "; stated relative errors " + number(assessment.fast.relative) + " (fast), " +
                      number(assessment.reference.relative) + " (reference); " +
                      std::string(name_of(assessment.instruction_set)) + ", " +
                      number(assessment.cpu_seconds) + " s\n\n";

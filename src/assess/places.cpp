@@ -134,7 +134,10 @@ Pair critical_angle(Random& random, double eta) {
 struct Entry {
   Place place;
   Pair (*pair)(Random&);  // null: the critical angle, of which a material may have several
+  bool above = true;      // the horizon, both directions
 };
+
+bool is_above(const Pair& pair) { return pair.wi[2] > 0 && pair.wo[2] > 0; }
 
 constexpr std::array kEntries{
     Entry{{"hemisphere", "both directions anywhere", "loses digits in the half-vector"},
@@ -160,12 +163,13 @@ constexpr std::array kEntries{
           &flat_half_vector},
     Entry{{"opposite", "wo all but -wi, both above the horizon", "h of next to nothing"},
           &opposite},
-    Entry{{"exactly_opposite", "wo = -wi", "h is NaN"}, &exactly_opposite},
+    Entry{{"exactly_opposite", "wo = -wi", "h is NaN"}, &exactly_opposite, false},
     Entry{{"horizon", "a cosine of 1e-44 to 1e-6 (proper values only are asked for)",
            "overflows, 0/0"},
           &horizon},
     Entry{{"below_horizon", "one or both at or below the horizon (f = 0)", "light from below"},
-          &below_horizon},
+          &below_horizon,
+          false},
     Entry{{"axes", "the normal, the tangents' planes", "azimuths of nothing"}, &axes},
     Entry{{"equal_angles", "theta_i = theta_o, azimuths of a multiple of 45 degrees apart",
            "the switches of minima and maxima"},
@@ -189,15 +193,20 @@ std::span<const Place> places() {
 
 std::vector<Pair> pairs_at(std::size_t place, const Subject& subject, std::size_t count,
                            std::uint64_t seed) {
+  const Entry& entry = kEntries[place];
+  if (entry.pair == nullptr && subject.rarer.empty()) return {};
   Random random(seed * 1'000'003 + place);
-  const auto draw = kEntries[place].pair;
+  const auto draw = [&](std::size_t i) {
+    return entry.pair != nullptr ? entry.pair(random)
+                                 : critical_angle(random, subject.rarer[i % subject.rarer.size()]);
+  };
   std::vector<Pair> pairs;
-  if (draw == nullptr && subject.rarer.empty()) return pairs;
   pairs.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    pairs.push_back(draw != nullptr
-                        ? draw(random)
-                        : critical_angle(random, subject.rarer[i % subject.rarer.size()]));
+    Pair pair = draw(i);
+    // A lobe's other half would say nothing of the place.
+    for (int again = 0; entry.above && again < 64 && !is_above(pair); ++again) pair = draw(i);
+    pairs.push_back(pair);
   }
   return pairs;
 }

@@ -84,6 +84,14 @@ TEST(Places, AreWhatTheySay) {
     EXPECT_LT(p.wi[2] + p.wo[2], 0.3 * length({p.wi[0] + p.wo[0], p.wi[1] + p.wo[1], 0}));
 }
 
+TEST(Places, AreAboveTheHorizonWhereThatIsNotTheirSubject) {
+  for (const assess::Place& place : places()) {
+    const bool above = place.name != "below_horizon" && place.name != "exactly_opposite";
+    for (const Pair& p : pairs_at(place.name, 500))
+      EXPECT_EQ(std::min(p.wi[2], p.wo[2]) > 0, above) << place.name;
+  }
+}
+
 TEST(Places, OffUnitReachesTheTolerance) {
   double shortest = 1, longest = 1;
   for (const Pair& p : pairs_at("off_unit")) {
