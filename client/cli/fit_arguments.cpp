@@ -178,14 +178,14 @@ Result<std::vector<FitForm>> fit_forms(const FitArguments& arguments,
     if (argument != "all") wanted.push_back(argument);
   }
   for (const std::string& argument : wanted) {
-    const auto parts = take_apart(argument);
-    const auto& name = parts.first;
+    const Wanted parts = take_apart(argument);
+    const std::string& name = parts.name;
     const auto model =
         std::find_if(catalogue.models.begin(), catalogue.models.end(),
                      [&](const auto& m) { return m.name == name && can_be_fitted(m); });
     if (model == catalogue.models.end())
       return bad_value("--model", "\"" + name + "\"", "all, " + joined(names, ", "));
-    auto form = form_of(*model, parts.second, arguments.lobes);
+    auto form = form_of(*model, parts.fresnel, arguments.lobes);
     if (!form) return form.error();
     forms.push_back(std::move(*form));
   }
