@@ -95,45 +95,53 @@ Outcome check_numbers(const RenderArguments& arguments) {
   return bad_value("--spp", shortest(arguments.samples), "a whole number");
 }
 
-}  // namespace
+template <class Value>
+CLI::Option* add(CLI::App& command, const char* name, Value& value, const char* unit,
+                 const char* text) {
+  return command.add_option(name, value, text)->type_name(unit);
+}
 
-void add_render_options(CLI::App& command, RenderArguments& arguments) {
-  const auto add = [&](const char* name, auto& value, const char* unit, const char* text) {
-    return command.add_option(name, value, text)->type_name(unit);
-  };
-  command.footer(kFooter);
-  add("--material,-m", arguments.material, "M",
-      "What the object is made of: JSON, a file or a stored name, as for 'gonio evaluate'")
-      ->required();
-  add("--light", arguments.light, "L",
+void add_light_options(CLI::App& command, RenderArguments& arguments) {
+  add(command, "--light", arguments.light, "L",
       "directional (the default), sky, or a map FILE.exr or FILE.pfm");
-  auto* direction = add("--light-direction", arguments.light_direction, "X,Y,Z",
+  auto* direction = add(command, "--light-direction", arguments.light_direction, "X,Y,Z",
                         "To the directional light; also from below");
-  for (auto* angle : {add("--light-theta", arguments.light_theta, "DEG",
+  for (auto* angle : {add(command, "--light-theta", arguments.light_theta, "DEG",
                           "In its place: the angle from +z, 0 to 180; else 45"),
-                      add("--light-phi", arguments.light_phi, "DEG",
+                      add(command, "--light-phi", arguments.light_phi, "DEG",
                           "and that from +x towards +y, -360 to 360; else -60")}) {
     angle->excludes(direction);
   }
-  add("--shape", arguments.shape, "S", "sphere (the default), cylinder, or plane")
+}
+
+}  // namespace
+
+void add_render_options(CLI::App& command, RenderArguments& arguments) {
+  command.footer(kFooter);
+  add(command, "--material,-m", arguments.material, "M",
+      "What the object is made of: JSON, a file or a stored name, as for 'gonio evaluate'")
+      ->required();
+  add_light_options(command, arguments);
+  add(command, "--shape", arguments.shape, "S", "sphere (the default), cylinder, or plane")
       ->check(CLI::IsMember({"sphere", "cylinder", "plane"}).description(""));
-  add("--size", arguments.size, "WxH", "Pixels, 1x1 to 8192x8192; 512x512 if not given");
-  add("--spp", arguments.samples, "N", "Samples a pixel, 1 to 65536; 64 if not given");
-  add("--view-elevation", arguments.view.elevation, "DEG",
+  add(command, "--size", arguments.size, "WxH", "Pixels, 1x1 to 8192x8192; 512x512 if not given");
+  add(command, "--spp", arguments.samples, "N", "Samples a pixel, 1 to 65536; 64 if not given");
+  add(command, "--view-elevation", arguments.view.elevation, "DEG",
       "How high the camera stands, -90 to 90; 20 if not given");
-  add("--field-of-view", arguments.view.field_of_view, "DEG",
+  add(command, "--field-of-view", arguments.view.field_of_view, "DEG",
       "Across the shorter side, to 120; 0 is orthographic; 30 if not given");
-  add("--zoom", arguments.view.zoom, "X",
+  add(command, "--zoom", arguments.view.zoom, "X",
       "Enlarges the middle of the picture, 0.1 to 1000; 1 if not given");
-  add("--background", arguments.background, "L",
+  add(command, "--background", arguments.background, "L",
       "A constant radiance; else 0.05, and for sky and maps what they show there");
-  add("--exposure", arguments.exposure, "EV",
+  add(command, "--exposure", arguments.exposure, "EV",
       "Stops, for PNG: the radiance 2^-EV becomes white; -32 to 32, 0 if not given");
-  add("--sampling", arguments.sampling, "S",
+  add(command, "--sampling", arguments.sampling, "S",
       "Draw directions from both (the default), the light, or the surface")
       ->check(CLI::IsMember({"both", "light", "surface"}).description(""));
-  add("--seed", arguments.seed, "S", "Of the samples, 0 to 4294967295; 0 if not given");
-  add("-o,--output", arguments.output, "OUT", "The picture: a file that ends in .png or .exr")
+  add(command, "--seed", arguments.seed, "S", "Of the samples, 0 to 4294967295; 0 if not given");
+  add(command, "-o,--output", arguments.output, "OUT",
+      "The picture: a file that ends in .png or .exr")
       ->required();
   add_connection_options(command, arguments.connection);
   command.add_flag("--quiet,-q", arguments.quiet,
