@@ -16,27 +16,27 @@ using Numbers = StreamNumbers;
 template <class Decoded>
 struct MessageOf {
   using Type = typename Decoded::Message;
-  static constexpr bool is_request = requires(Decoded d) { d.material; };
+  static constexpr bool kIsRequest = requires(Decoded d) { d.material; };
 };
 template <>
 struct MessageOf<StreamRequest> {
   using Type = gonio::v1::EvaluateStreamRequest;
-  static constexpr bool is_request = true;
+  static constexpr bool kIsRequest = true;
 };
 template <>
 struct MessageOf<SampleStreamRequest> {
   using Type = gonio::v1::SampleStreamRequest;
-  static constexpr bool is_request = true;
+  static constexpr bool kIsRequest = true;
 };
 template <>
 struct MessageOf<StreamResponse> {
   using Type = gonio::v1::EvaluateStreamResponse;
-  static constexpr bool is_request = false;
+  static constexpr bool kIsRequest = false;
 };
 template <>
 struct MessageOf<SampleStreamResponse> {
   using Type = gonio::v1::SampleStreamResponse;
-  static constexpr bool is_request = false;
+  static constexpr bool kIsRequest = false;
 };
 
 Range all_of(const SliceBytes& bytes) { return {0, bytes.size()}; }
@@ -58,7 +58,7 @@ Result<Decoded> decode_range(const SliceBytes& bytes, Range range) {
   using Of = MessageOf<Decoded>;
   Decoded decoded;
   if (scan(bytes, range, decoded)) return decoded;
-  if constexpr (Of::is_request) {
+  if constexpr (Of::kIsRequest) {
     const auto fit = check_material<Decoded>(bytes, range);
     if (!fit) return fit.error();
   }
