@@ -7,6 +7,7 @@
 
 #include <thread>
 
+#include "effort.h"
 #include "server/assess_request.h"
 #include "server/harness.h"
 #include "wire/convert.h"
@@ -16,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
-using Clock = std::chrono::steady_clock;
+using Clock = WorkClock;  // a million pairs a place are half a minute's work
 
 v1::AssessRequest ggx_assessment(std::uint32_t pairs = 500) {
   v1::AssessRequest request;
@@ -99,7 +100,7 @@ TEST(AssessCall, EndsSoonWhenItIsCancelled) {
   // The only thread is soon free for the next.
   const auto begin = Clock::now();
   EXPECT_TRUE(assess(server, ggx_assessment(10), &response).ok());
-  EXPECT_LT(Clock::now() - begin, 5s);
+  EXPECT_LT(Clock::now() - begin, kSlower * 2s);
 }
 
 TEST(AssessCall, KeepsTheServersOwnDeadline) {
@@ -111,7 +112,7 @@ TEST(AssessCall, KeepsTheServersOwnDeadline) {
   const grpc::Status status = assess(server, ggx_assessment(1'000'000), &response);
   EXPECT_EQ(status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
   EXPECT_THAT(status.error_message(), HasSubstr("the assessment was not done"));
-  EXPECT_LT(Clock::now() - begin, 5s);
+  EXPECT_LT(Clock::now() - begin, kSlower * 2s);
 }
 
 TEST(AssessCall, WaitsInAQueueThatIsBounded) {
