@@ -79,7 +79,7 @@ TEST(AssessCommand, BadInputIsRefused) {
   }
   EXPECT_EQ(shell("gonio assess --material nothing.json").exit_code, 2);
   EXPECT_EQ(shell(kAssess + "--report /nowhere/report.json").exit_code, 1);
-  EXPECT_EQ(shell(kAssess + "--server localhost:1 --deadline 1").exit_code, 3);
+  EXPECT_EQ(shell(kAssess + "--server 127.0.0.1:1 --deadline 1").exit_code, 3);
 }
 
 TEST(AssessCommand, IsInTheHelp) {
