@@ -1,8 +1,7 @@
 #include "assess/assess.h"
 
-#include <time.h>
-
-#include <utility>
+#include <algorithm>
+#include <ctime>
 
 #include "assess/accuracy.h"
 #include "assess/energy.h"
@@ -31,7 +30,7 @@ Result<Report> assess(const Subject& subject, const Options& options,
   report.fast = subject.fast, report.reference = subject.reference;
   for (std::size_t place = 0; place < places().size() && !is_over(); ++place) {
     auto found = look_at(place, subject, options.pairs, options.seed, stop);
-    if (found) report.places.push_back(std::move(*found));
+    if (found) report.places.push_back(*found);
   }
   for (const Angles& angles : incidences_of(subject, options.seed)) {
     if (is_over()) break;
