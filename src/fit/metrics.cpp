@@ -123,12 +123,76 @@ std::array<double, 3> direction(const std::array<std::vector<float>, 3>& w, std:
   return {static_cast<double>(w[0][i]), static_cast<double>(w[1][i]), static_cast<double>(w[2][i])};
 }
 
+// What a material's values on the runs of the data come to.
+class Tally {
+ public:
+  Tally(const Data& data, std::size_t worst) : data_(data), places_(worst) {}
+
+  // `values`: of the pairs from `first` on, channel by channel, kRun apart.
+  void add_run(std::size_t first, std::size_t count, const std::vector<double>& values) {
+    const auto n = static_cast<Eigen::Index>(count);
+    const Run run(data_, first, n);
+    above_.pairs += static_cast<std::size_t>(run.low.count());
+    below_.pairs += count - static_cast<std::size_t>(run.low.count());
+    for (int c = 0; c < data_.channels; ++c) {
+      const std::size_t channel = values.size() == kRun ? 0 : static_cast<std::size_t>(c);
+      add_channel(run, c, Eigen::Map<const Eigen::ArrayXd>(&values[channel * kRun], n));
+    }
+  }
+
+  Comparison comparison() && {
+    Sums all = below_;
+    all.add(above_);
+    for (Region* region : {&regions_.mirror, &regions_.toward_light, &regions_.elsewhere})
+      divide(*region, all.measured > 0 ? all.measured : 1);
+    return {{all.errors(), below_.errors(), above_.errors()},
+            regions_,
+            std::move(places_).places(all.absolute)};
+  }
+
+ private:
+  struct Run {
+    Run(const Data& data, std::size_t from, Eigen::Index n)
+        : first(from),
+          cosine(part(data.wi[2], first, n)),
+          w(part(data.weights, first, n)),
+          low(cosine.min(part(data.wo[2], first, n)) < std::cos(kGrazing)),
+          w_above(low.select(w, 0)),
+          masks(data, first, n) {}
+    std::size_t first;
+    Eigen::ArrayXd cosine, w;
+    Eigen::Array<bool, Eigen::Dynamic, 1> low;
+    Eigen::ArrayXd w_above;
+    RegionMasks masks;
+  };
+
+  void add_channel(const Run& run, int c, const Eigen::Map<const Eigen::ArrayXd>& f) {
+    const Eigen::ArrayXd m = part(data_.channel(c), run.first, f.size());
+    const Eigen::ArrayXd m_cosine = m * run.cosine;
+    const Eigen::ArrayXd f_cosine = f * run.cosine;
+    const Terms terms(f_cosine, m_cosine);
+    const RegionMasks& masks = run.masks;
+    add(regions_.mirror, run.w * masks.mirror, f_cosine, terms);
+    add(regions_.toward_light, run.w * masks.light, f_cosine, terms);
+    add(regions_.elsewhere, run.w * (1 - masks.mirror - masks.light), f_cosine, terms);
+    below_.add(run.w - run.w_above, terms);
+    above_.add(run.w_above, terms);
+    Eigen::Index at = 0;
+    const double share = (run.w * terms.absolute).maxCoeff(&at);
+    const std::size_t i = run.first + static_cast<std::size_t>(at);
+    places_.offer({direction(data_.wi, i), direction(data_.wo, i), c, m[at], f[at], share});
+  }
+
+  const Data& data_;
+  Sums below_, above_;
+  Regions regions_;
+  Worst places_;
+};
+
 }  // namespace
 
 Comparison compare(const Material& material, const Data& data, std::size_t worst) {
-  Sums below, above;
-  Regions regions;
-  Worst places(worst);
+  Tally tally(data, worst);
   std::vector<double> values(kRun * static_cast<std::size_t>(material.channels()));
   for (std::size_t first = 0; first < data.size(); first += kRun) {
     const std::size_t count = std::min(kRun, data.size() - first);
@@ -136,39 +200,9 @@ Comparison compare(const Material& material, const Data& data, std::size_t worst
              Batch<float, double>{data.incident(first), data.outgoing(first), count,
                                   Values<double>::planar(values.data(), kRun), nullptr},
              best_isa());
-    const auto n = static_cast<Eigen::Index>(count);
-    const Eigen::ArrayXd cosine = part(data.wi[2], first, n), w = part(data.weights, first, n);
-    const Eigen::Array<bool, Eigen::Dynamic, 1> low =
-        cosine.min(part(data.wo[2], first, n)) < std::cos(kGrazing);
-    const Eigen::ArrayXd w_above = low.select(w, 0), w_below = w - w_above;
-    above.pairs += static_cast<std::size_t>(low.count());
-    below.pairs += count - static_cast<std::size_t>(low.count());
-    const RegionMasks masks(data, first, n);
-    for (int c = 0; c < data.channels; ++c) {
-      const auto channel = static_cast<std::size_t>(material.channels() == 1 ? 0 : c);
-      const Eigen::Map<const Eigen::ArrayXd> f(&values[channel * kRun], n);
-      const Eigen::ArrayXd m = part(data.channel(c), first, n);
-      const Eigen::ArrayXd m_cosine = m * cosine;
-      const Eigen::ArrayXd f_cosine = f * cosine;
-      const Terms terms(f_cosine, m_cosine);
-      add(regions.mirror, w * masks.mirror, f_cosine, terms);
-      add(regions.toward_light, w * masks.light, f_cosine, terms);
-      add(regions.elsewhere, w * (1 - masks.mirror - masks.light), f_cosine, terms);
-      below.add(w_below, terms);
-      above.add(w_above, terms);
-      Eigen::Index at = 0;
-      const double share = (w * terms.absolute).maxCoeff(&at);
-      const std::size_t i = first + static_cast<std::size_t>(at);
-      places.offer({direction(data.wi, i), direction(data.wo, i), c, m[at], f[at], share});
-    }
+    tally.add_run(first, count, values);
   }
-  Sums all = below;
-  all.add(above);
-  for (Region* region : {&regions.mirror, &regions.toward_light, &regions.elsewhere})
-    divide(*region, all.measured > 0 ? all.measured : 1);
-  return {{all.errors(), below.errors(), above.errors()},
-          regions,
-          std::move(places).places(all.absolute)};
+  return std::move(tally).comparison();
 }
 
 }  // namespace gonio::fit
