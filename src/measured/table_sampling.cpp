@@ -86,7 +86,8 @@ void TableSampling::tabulate(std::size_t angle, const Luminance& luminance) {
     const double step = (edge_[row + 1] - edge_[row]) / kAcross;
     for (std::size_t p = 0; p < kPoints; ++p) {
       const double down = edge_[row] + step * (static_cast<double>(p % kAcross) + 0.5);
-      const double azimuth = kPi * (static_cast<double>(p / kAcross) + 0.5) / (kAzimuths * kAcross);
+      const std::size_t column = p / kAcross;
+      const double azimuth = kPi * (static_cast<double>(column) + 0.5) / (kAzimuths * kAcross);
       to[p] = reflected(wi, down, azimuth);
       // cos(theta_o), and 4 h.wi by which a half-vector's solid angle becomes wo's: |wi + wo| / 2.
       cosines[p] = std::max(to[p][2], 0.0) * std::sqrt(2 + 2 * dot(wi, to[p]));

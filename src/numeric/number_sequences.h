@@ -23,7 +23,8 @@ GONIO_INLINE void philox(std::uint64_t first, std::uint64_t key, NumberRun& run)
   static constexpr long long kOneAfterAnother[] = {0, 1, 2, 3, 4, 5, 6, 7};
   for (std::size_t begin = 0; begin < kNumbersAtOnce; begin += kLanes) {
     long long out[3][kLanes];
-    raw::I x0 = raw::broadcast(static_cast<long long>(first + begin)) + raw::load(kOneAfterAnother);
+    const std::uint64_t counter = first + begin;
+    raw::I x0 = raw::broadcast(static_cast<long long>(counter)) + raw::load(kOneAfterAnother);
     raw::I x1 = raw::high_half(x0);
     raw::I x2 = raw::broadcast(0LL), x3 = x2;
     auto k0 = static_cast<std::uint32_t>(key), k1 = static_cast<std::uint32_t>(key >> 32);
