@@ -82,8 +82,10 @@ Error AssessCall::over() const {
 
 void AssessCall::run() {
   if (state_.is_over()) return end(wire::to_status(over()));
-  const auto report =
-      assess::assess(material_->sampler(), options_, isa_, [this] { return state_.is_over(); });
+  const auto report = assess::assess(material_->sampler(), options_, isa_, [this] {
+    BackgroundQueue::give_way();
+    return state_.is_over();
+  });
   if (!report) {
     const bool stopped = report.error().code == ErrorCode::cancelled;
     return end(wire::to_status(stopped ? over() : report.error()));

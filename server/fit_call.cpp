@@ -108,7 +108,10 @@ Result<fit::FitResult> FitCall::fit() {
   access_.items = data->size();
   fit::Watch watch;
   watch.progress = [this](const fit::Progress& progress) { note(to_wire(progress)); };
-  watch.stop = [this] { return state_.is_over(); };
+  watch.stop = [this] {
+    BackgroundQueue::give_way();
+    return state_.is_over();
+  };
   auto result = fit::fit(*data, task_.form, task_.options, watch);
   if (result) return result;
   return result.error().code == ErrorCode::cancelled ? over() : within_request(result.error());
