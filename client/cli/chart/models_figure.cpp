@@ -1,0 +1,68 @@
+// Models by precision and instruction set: a panel a model.
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "client/cli/chart/figures.h"
+
+namespace gonio::cli {
+namespace {
+
+// One colour an instruction set; a shape for each precision.
+struct Look {
+  std::string_view precision, isa;
+  const char* label;
+  const char* colour;
+  Shape shape;
+};
+constexpr std::array kLooks{
+    Look{"fast", "avx512", "AVX-512", kBlue, Shape::disc},
+    Look{"fast", "avx2", "AVX2", kGreen, Shape::disc},
+    Look{"fast", "baseline", "SSE2", kAmber, Shape::disc},
+    Look{"reference", "avx512", "AVX-512, float64", kBlue, Shape::square},
+    Look{"reference", "avx2", "AVX2, float64", kGreen, Shape::square},
+    Look{"reference", "baseline", "SSE2, float64", kAmber, Shape::square},
+    Look{"float", "scalar", "loop, float32", kRed, Shape::ring},
+    Look{"double", "scalar", "loop, float64", kRed, Shape::diamond},
+};
+
+constexpr double kErrorLow = 1e-17, kErrorHigh = 10;
+
+}  // namespace
+
+Figure models_figure(const chart::Table& table) {
+  Figure figure{"models",
+                "Speed against accuracy, by model: time of one evaluation in RGB, and the worst "
+                "relative error over hard pairs (line: down to the 99.9th percentile)",
+                330,
+                270,
+                4,
+                {}};
+  std::vector<double> times;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) times.push_back(table.number(i, "ns"));
+  const auto [low, high] = log_range(times, 1.2);
+  for (std::size_t i = 0; i < table.rows.size();) {
+    const std::string& model = table.word(i, "model");
+    Panel panel{model, {"ns per evaluation", low, high}, {"relative error", kErrorLow, kErrorHigh}};
+    for (; i < table.rows.size() && table.word(i, "model") == model; ++i) {
+      const auto* look = std::ranges::find_if(kLooks, [&](const Look& l) {
+        return l.precision == table.word(i, "precision") &&
+               l.isa == table.word(i, "instruction_set");
+      });
+      if (look == kLooks.end()) continue;
+      const double ns = table.number(i, "ns"), error = table.number(i, "error_worst");
+      panel.series.push_back(
+          {"",
+           look->colour,
+           look->shape,
+           false,
+           {{ns, table.number(i, "ns_upper"), error, table.number(i, "error_999"), look->label}}});
+      if (table.number(i, "front") == 1) panel.front.emplace_back(ns, error);
+    }
+    std::ranges::sort(panel.front);
+    figure.panels.push_back(std::move(panel));
+  }
+  return figure;
+}
+
+}  // namespace gonio::cli

@@ -1,0 +1,39 @@
+// Charts of speed against accuracy: measures on this machine every choice that trades one for the
+// other. Each part gives a table (chart/table.h), in which 1 in the column "front" marks the rows
+// that no other one beats.
+//
+//   chart::Options options;
+//   auto models = chart::chart_models(options);  // models x precision x instruction set
+//
+// What is timed, and how, is what tests/bench times: timing/race.h, chart/cases.h. Some seconds to
+// some tens of seconds a part, on the calling thread. Errors: `cancelled` once Options::stop says
+// so, and what each part names. Thread safety: functions without state; two charts at once would
+// disturb one another's times.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "base/result.h"
+#include "chart/table.h"
+#include "measured/table.h"
+#include "timing/race.h"
+
+namespace gonio::chart {
+
+struct Options {
+  timing::Effort effort;
+  std::size_t pairs = 2000;  // at each place of assess/places.h, for errors
+  std::uint64_t seed = 1;
+  std::function<bool()> stop;            // asked often; true ends the chart
+  std::function<void(double)> progress;  // the part that is done, 0 to 1; from the calling thread
+};
+
+// (a) A material of each model on each instruction set in both precisions, and as a scalar loop as
+// printed, in float32 and float64: ns an evaluation of three channels in batches of 4096, against
+// relative errors to the model's formula in long double over the places of assess/places.h. Fronts
+// are by model.
+Result<Table> chart_models(const Options& options);
+
+}  // namespace gonio::chart
