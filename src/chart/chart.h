@@ -36,4 +36,11 @@ struct Options {
 // are by model.
 Result<Table> chart_models(const Options& options);
 
+// (c) Fresnel's term in one lobe as a constant, by Schlick and exact, for substances; Schlick's
+// error by angle; and what the publications print wrongly, each beside what is right. Fronts are by
+// substance and by formula.
+Result<Table> chart_fresnel(const Options& options);
+Table chart_fresnel_angles();
+Result<Table> chart_printed(const Options& options);
+
 }  // namespace gonio::chart

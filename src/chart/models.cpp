@@ -1,6 +1,4 @@
 // Models x precision x instruction set: time against error.
-#include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "assess/accuracy.h"
@@ -8,7 +6,6 @@
 #include "chart/cases.h"
 #include "chart/chart.h"
 #include "chart/common.h"
-#include "chart/front.h"
 
 namespace gonio::chart {
 namespace {
@@ -67,24 +64,7 @@ Table empty_table() {
       {}};
   add_time_columns(table, "ns", "ns", "time of one evaluation of three channels");
   add_error_columns(table);
-  table.columns.push_back(kFrontColumn);
   return table;
-}
-
-// Fronts among the choices of one model.
-std::vector<bool> fronts_of(const std::vector<Choice>& choices,
-                            const std::vector<timing::Spread>& seconds) {
-  std::vector<bool> front(choices.size());
-  for (std::size_t first = 0; first < choices.size();) {
-    std::size_t end = first;
-    std::vector<Tradeoff> tradeoffs;
-    for (; end < choices.size() && choices[end].model == choices[first].model; ++end)
-      tradeoffs.push_back({seconds[end].best, choices[end].errors.worst});
-    const auto of_model = on_front(tradeoffs);
-    std::copy(of_model.begin(), of_model.end(), front.begin() + static_cast<std::ptrdiff_t>(first));
-    first = end;
-  }
-  return front;
 }
 
 }  // namespace
@@ -103,15 +83,14 @@ Result<Table> chart_models(const Options& options) {
   for (const Choice& choice : choices) runners.push_back(choice.runner);
   const auto seconds = timing::race(runners, options.effort, options.stop);
   if (is_over(options)) return was_cancelled();
-  const auto front = fronts_of(choices, seconds);
   Table table = empty_table();
   for (std::size_t i = 0; i < choices.size(); ++i) {
     std::vector<Cell> row{choices[i].model, choices[i].precision, choices[i].isa};
     add_time_cells(row, scaled(seconds[i], 1e9));
     add_error_cells(row, choices[i].errors);
-    row.emplace_back(front[i] ? 1.0 : 0.0);
     table.rows.push_back(std::move(row));
   }
+  add_front(table, "ns", "error_worst", "model");
   show(options, 1);
   return table;
 }

@@ -39,6 +39,7 @@ struct Panel {
   // the right.
   std::vector<std::pair<double, double>> front = {};
   bool key = false;
+  bool only_key = false;  // instead of a plot
 };
 
 struct Figure {

@@ -11,22 +11,30 @@ namespace {
 // One colour an instruction set; a shape for each precision.
 struct Look {
   std::string_view precision, isa;
-  const char* label;
+  const char* label;  // beside the first of its kind
+  const char* name;   // in the key
   const char* colour;
   Shape shape;
 };
 constexpr std::array kLooks{
-    Look{"fast", "avx512", "AVX-512", kBlue, Shape::disc},
-    Look{"fast", "avx2", "AVX2", kGreen, Shape::disc},
-    Look{"fast", "baseline", "SSE2", kAmber, Shape::disc},
-    Look{"reference", "avx512", "AVX-512, float64", kBlue, Shape::square},
-    Look{"reference", "avx2", "AVX2, float64", kGreen, Shape::square},
-    Look{"reference", "baseline", "SSE2, float64", kAmber, Shape::square},
-    Look{"float", "scalar", "loop, float32", kRed, Shape::ring},
-    Look{"double", "scalar", "loop, float64", kRed, Shape::diamond},
+    Look{"fast", "avx512", "fast", "fast, AVX-512", kBlue, Shape::disc},
+    Look{"fast", "avx2", "", "fast, AVX2", kGreen, Shape::disc},
+    Look{"fast", "baseline", "", "fast, plain x86-64", kAmber, Shape::disc},
+    Look{"reference", "avx512", "reference", "reference, AVX-512", kBlue, Shape::square},
+    Look{"reference", "avx2", "", "reference, AVX2", kGreen, Shape::square},
+    Look{"reference", "baseline", "", "reference, plain x86-64", kAmber, Shape::square},
+    Look{"float", "scalar", "loop", "scalar loop, float32", kRed, Shape::ring},
+    Look{"double", "scalar", "", "scalar loop, float64", kRed, Shape::diamond},
 };
 
 constexpr double kErrorLow = 1e-17, kErrorHigh = 10;
+
+Panel key_panel() {
+  Panel panel{"", {"", 0, 1, false}, {"", 0, 1, false}};
+  for (const Look& look : kLooks) panel.series.push_back({look.name, look.colour, look.shape});
+  panel.key = panel.only_key = true;
+  return panel;
+}
 
 }  // namespace
 
@@ -62,6 +70,7 @@ Figure models_figure(const chart::Table& table) {
     std::ranges::sort(panel.front);
     figure.panels.push_back(std::move(panel));
   }
+  figure.panels.push_back(key_panel());
   return figure;
 }
 
