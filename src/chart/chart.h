@@ -17,6 +17,7 @@
 
 #include "base/result.h"
 #include "chart/table.h"
+#include "fit/data.h"
 #include "measured/table.h"
 #include "timing/race.h"
 
@@ -36,11 +37,27 @@ struct Options {
 // are by model.
 Result<Table> chart_models(const Options& options);
 
+// What was measured of a material.
+struct Measured {
+  std::string name;
+  fit::Data data;
+  std::shared_ptr<const MeasuredTable> table;  // null: scattered pairs
+};
+
+// (b) The models fitted to it by L1, and the table itself in both interpolations: ns and bytes
+// against all metrics of fit/metrics.h. Fits that fail are left out.
+Result<Table> chart_fits(const Measured& measured, const Options& options);
+
 // (c) Fresnel's term in one lobe as a constant, by Schlick and exact, for substances; Schlick's
 // error by angle; and what the publications print wrongly, each beside what is right. Fronts are by
 // substance and by formula.
 Result<Table> chart_fresnel(const Options& options);
 Table chart_fresnel_angles();
 Result<Table> chart_printed(const Options& options);
+
+// (e) Materials of each model drawn by gonio's own strategy, by the cosine and as a textbook has
+// it: ns a sample against the variance of the weights, for light at 30 and at 75 degrees, and both
+// together as the time to a standard error of 1 %.
+Result<Table> chart_sampling(const Options& options);
 
 }  // namespace gonio::chart
