@@ -1,73 +1,40 @@
 #include <CLI/CLI.hpp>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <filesystem>
 #include <memory>
-#include <system_error>
-#include <utility>
 
-#include "chart/chart.h"
-#include "client/cli/chart/figures.h"
-#include "client/cli/chart/gnuplot.h"
-#include "client/cli/chart/tables.h"
+#include "client/cli/chart/arguments.h"
+#include "client/cli/chart/files.h"
+#include "client/cli/chart/measure.h"
 #include "client/cli/commands.h"
 #include "client/cli/exit_codes.h"
-#include "client/cli/output_file.h"
-#include "client/cli/progress.h"
 
 namespace gonio::cli {
 namespace {
 
-struct ChartArguments {
-  std::string folder;
-  bool quiet = false;
-  bool quick = false;
-};
+constexpr const char* kFooter = R"(
+Parts, each a table (in chart.json, and PART.csv) with figures (FIGURE.svg, .png, and .gp for gnuplot):
+  models          the models in both precisions on each instruction set, and scalar loops as printed:
+                  ns an evaluation against the error to the formula in long double
+  fits            models fitted to a measured material, and its table: ns and bytes against error
+  approximations  Fresnel's term as a constant, by Schlick and exact; what publications print wrongly
+  wire            sizes and forms of calls, types of directions: latency, pairs a second, error
+  sampling        strategies of sampling: ns a sample against variance
+  resolution      a measured table in fewer cells, nearest and interpolated: bytes against error
 
-// Makes the folder if it is not there.
-Outcome make_folder(const std::string& folder) {
-  std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
-  if (!problem && std::filesystem::is_directory(folder, problem)) return Ok{};
-  const std::string why = problem ? problem.message() : "it is no folder";
-  return Error{ErrorCode::invalid_argument, "-o: " + folder + " cannot be made: " + why, "-o",
-               folder, "a folder, or the name of one that can be made"};
-}
+Times are the best of repetitions that take turns; bars go to the upper quartile. Grey steps are the
+choices that no other one beats. Leave the machine to it for its two minutes, or see it in the bars.
 
-Outcome write_file(const std::string& folder, const std::string& name, const std::string& bytes) {
-  auto file = OutputFile::open((std::filesystem::path(folder) / name).string());
-  if (!file) return file.error();
-  if (auto written = file->write(bytes); !written) return written;
-  return file->commit();
-}
-
-Outcome draw(const std::string& folder, const Figure& figure) {
-  const std::string script = figure_script(figure);
-  if (auto written = write_file(folder, figure.name + ".gp", script); !written) return written;
-  const auto drawings = run_gnuplot(script, figure.name);
-  if (!drawings) return drawings.error();
-  for (const Drawing& drawing : *drawings) {
-    if (auto written = write_file(folder, drawing.file, drawing.bytes); !written) return written;
-  }
-  return Ok{};
-}
+Examples:
+  gonio chart -o chart
+  gonio chart -o chart --data nickel.binary --parts fits,resolution)";
 
 int run(const ChartArguments& arguments) {
   if (auto made = make_folder(arguments.folder); !made) return fail(made.error());
-  chart::Options options;
-  auto models = chart::chart_models(options);
-  if (!models) return fail(models.error());
-  Chart chart{chart::this_machine(), "", options.effort, "", {*models}};
-  if (auto w = write_file(arguments.folder, "chart.json", chart_json(chart)); !w)
-    return fail(w.error());
-  for (const auto& table : chart.tables) {
-    if (auto w = write_file(arguments.folder, table.name + ".csv", table_csv(table)); !w)
-      return fail(w.error());
-    for (const Figure& figure : figures_of(table)) {
-      if (auto w = draw(arguments.folder, figure); !w) return fail(w.error());
-    }
-  }
+  const auto chart = measure(arguments);
+  if (!chart) return fail(chart.error());
+  if (auto written = write_tables(arguments.folder, *chart); !written) return fail(written.error());
+  if (auto drawn = write_figures(arguments.folder, *chart); !drawn) return fail(drawn.error());
+  if (!arguments.quiet) std::fputs(summary_of(arguments.folder, *chart).c_str(), stdout);
   return exit_ok;
 }
 
@@ -75,11 +42,10 @@ int run(const ChartArguments& arguments) {
 
 Command add_chart_command(CLI::App& app) {
   auto arguments = std::make_shared<ChartArguments>();
-  CLI::App* command = app.add_subcommand("chart", "Charts speed against accuracy on this machine");
-  command->add_option("-o,--output", arguments->folder, "Folder for what is made")
-      ->type_name("DIR")
-      ->required();
-  command->add_flag("--quiet,-q", arguments->quiet, "No progress bar and no table");
+  CLI::App* command =
+      app.add_subcommand("chart", "Speed against accuracy on this machine: tables and figures");
+  command->footer(kFooter);
+  add_chart_options(*command, *arguments);
   return {command, [arguments] { return run(*arguments); }};
 }
 

@@ -60,4 +60,13 @@ Result<Table> chart_printed(const Options& options);
 // together as the time to a standard error of 1 %.
 Result<Table> chart_sampling(const Options& options);
 
+// (d) What the types that travel cost in accuracy: float32 or float64 directions and values, bytes
+// a pair against the error to f at the directions before rounding. How fast they travel is
+// measured over the client (client/cli/chart/wire.h).
+Result<Table> chart_directions(const Options& options);
+
+// (f) A measured table (`measured.table` must be there) in fewer cells, read nearest and linearly:
+// bytes against its errors at the centres of the full table's cells.
+Result<Table> chart_resolution(const Measured& measured, const Options& options);
+
 }  // namespace gonio::chart

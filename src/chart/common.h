@@ -1,8 +1,6 @@
 // What the parts of a chart have in common. Thread safety: functions without state.
 #pragma once
 
-#include <string_view>
-
 #include "assess/accuracy.h"
 #include "chart/chart.h"
 
@@ -24,9 +22,5 @@ ErrorStatistics statistics_of(assess::ErrorList errors);
 // "error_worst", "error_999", "error_median", "checked", "improper".
 void add_error_columns(Table& table);
 void add_error_cells(std::vector<Cell>& row, const ErrorStatistics& errors);
-
-// A last column "front": whether a row is on the front of two columns, among the rows that have the
-// same word in the column `among`; "" for all.
-void add_front(Table& table, std::string_view cost, std::string_view error, std::string_view among);
 
 }  // namespace gonio::chart

@@ -39,4 +39,8 @@ void add_time_columns(Table& table, const std::string& name, const std::string& 
 // Their cells.
 void add_time_cells(std::vector<Cell>& row, const timing::Spread& spread);
 
+// A last column "front": whether a row is on the front of two columns, among the rows that have the
+// same word in the column `among`; "" for all.
+void add_front(Table& table, std::string_view cost, std::string_view error, std::string_view among);
+
 }  // namespace gonio::chart

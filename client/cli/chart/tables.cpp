@@ -34,15 +34,13 @@ std::string list_of(const std::vector<std::string>& words) {
   return text + "]";
 }
 
-std::string machine_json(const Chart& chart) {
-  const chart::Machine& machine = chart.machine;
+std::string machine_json(const chart::Machine& machine) {
   return "{\"processor\": " + json_string(machine.processor) +
          ", \"cores\": " + std::to_string(machine.cores) +
          ", \"instruction_sets\": " + list_of(machine.instruction_sets) +
          ", \"system\": " + json_string(machine.system) +
          ", \"gonio\": " + json_string(machine.gonio) +
-         ", \"compiler\": " + json_string(machine.compiler) +
-         ", \"gnuplot\": " + (chart.gnuplot.empty() ? "null" : json_string(chart.gnuplot)) + "}";
+         ", \"compiler\": " + json_string(machine.compiler) + "}";
 }
 
 std::string table_json(const chart::Table& table) {
@@ -70,10 +68,11 @@ std::string table_json(const chart::Table& table) {
 }  // namespace
 
 std::string chart_json(const Chart& chart) {
-  std::string text = "{\"machine\": " + machine_json(chart) + ",\n\"effort\": {\"repetitions\": " +
-                     std::to_string(chart.effort.repetitions) +
-                     ", \"seconds\": " + shortest(chart.effort.seconds) +
-                     "},\n\"material\": " + json_string(chart.material) + ",\n\"tables\": [";
+  std::string text =
+      "{\"machine\": " + machine_json(chart.machine) +
+      ",\n\"effort\": {\"repetitions\": " + std::to_string(chart.effort.repetitions) +
+      ", \"seconds\": " + shortest(chart.effort.seconds) +
+      "},\n\"material\": " + json_string(chart.material) + ",\n\"tables\": [";
   const char* separator = "\n";
   for (const chart::Table& table : chart.tables) {
     text += separator + table_json(table);

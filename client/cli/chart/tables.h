@@ -13,9 +13,8 @@ namespace gonio::cli {
 // A chart as a whole.
 struct Chart {
   chart::Machine machine;
-  std::string gnuplot;  // its version; empty: none
   timing::Effort effort;
-  std::string material;  // what was measured, of the parts that fit: a file or "generated"
+  std::string material;  // what the parts that fit were given; empty: nothing
   std::vector<chart::Table> tables;
 };
 
