@@ -25,7 +25,7 @@ namespace gonio::chart {
 
 struct Options {
   timing::Effort effort;
-  std::size_t pairs = 2000;  // at each place of assess/places.h, for errors
+  std::size_t pairs = 5000;  // at each place of assess/places.h, for errors
   std::uint64_t seed = 1;
   std::function<bool()> stop;            // asked often; true ends the chart
   std::function<void(double)> progress;  // the part that is done, 0 to 1; from the calling thread

@@ -25,10 +25,13 @@ struct Series {
   std::vector<Mark> marks = {};
 };
 
+using Front = std::vector<std::pair<double, double>>;  // from the left
+
 struct Axis {
   std::string label;
   double low, high;
   bool logarithmic = true;
+  bool numbered = true;
 };
 
 struct Panel {
@@ -37,7 +40,7 @@ struct Panel {
   std::vector<Series> series = {};
   // What no other choice beats, from the left: a step line that begins at the top and goes on to
   // the right.
-  std::vector<std::pair<double, double>> front = {};
+  Front front = {};
   bool key = false;
   bool only_key = false;  // instead of a plot
 };

@@ -50,6 +50,7 @@ std::string axis_commands(const Axis& axis, char which) {
   text +=
       "set " + name + "range [" + script_number(axis.low) + ":" + script_number(axis.high) + "]\n";
   const double decades = std::log10(axis.high / axis.low);
+  if (!axis.numbered) return text + "set format " + name + " \"\"; unset " + name + "tics\n";
   if (!axis.logarithmic)
     return text + "set format " + name + " \"%g\"; set " + name + "tics autofreq; unset m" + name +
            "tics\n";
