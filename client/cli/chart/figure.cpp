@@ -8,7 +8,7 @@
 namespace gonio::cli {
 namespace {
 
-constexpr double kLeft = 66, kRight = 12, kTop = 26, kBottom = 46;  // around a panel's plot
+constexpr double kLeft = 78, kRight = 22, kTop = 26, kBottom = 46;  // around a panel's plot
 constexpr double kCaption = 30;
 constexpr double kFont = 11;
 const std::string kLook =

@@ -38,9 +38,8 @@ struct Panel {
   std::string title;
   Axis x, y;
   std::vector<Series> series = {};
-  // What no other choice beats, from the left: a step line that begins at the top and goes on to
-  // the right.
-  Front front = {};
+  // What no other choice beats: step lines that begin at the top and go on to the right.
+  std::vector<Front> fronts = {};
   bool key = false;
   bool only_key = false;  // instead of a plot
 };

@@ -27,15 +27,19 @@ constexpr std::array kCandidates{
     Candidate{1, 0, false},      Candidate{-1, 0, true},     Candidate{0.6, 0.7, false},
     Candidate{0.6, -0.7, false}, Candidate{-0.6, 0.7, true}, Candidate{-0.6, -0.7, true},
     Candidate{0, 1.4, false},    Candidate{0, -1.4, false},  Candidate{0, 1.4, true},
-    Candidate{0, -1.4, true},    Candidate{1, 2.1, false},   Candidate{1, -2.1, false},
-    Candidate{-1, 2.1, true},    Candidate{-1, -2.1, true},  Candidate{2, 2.8, false},
-    Candidate{2, -2.8, false}};
+    Candidate{0, -1.4, true},    Candidate{2, 2.2, false},   Candidate{2, -2.2, false},
+    Candidate{-2, 2.2, true},    Candidate{-2, -2.2, true},  Candidate{4, 0.7, false},
+    Candidate{4, -0.7, false},   Candidate{3, 3.2, false},   Candidate{3, -3.2, false},
+    Candidate{-3, 3.2, true},    Candidate{-3, -3.2, true},  Candidate{6, 1.5, false},
+    Candidate{6, -1.5, false},   Candidate{-6, 1.5, true},   Candidate{-6, -1.5, true},
+    Candidate{8, 4.2, false},    Candidate{8, -4.2, false},  Candidate{-8, 4.2, true},
+    Candidate{-8, -4.2, true}};
 
 // Characters, not bytes.
 double width_of(const std::string& text, double font_size) {
   const auto characters = std::ranges::count_if(
       text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
-  return 0.6 * font_size * static_cast<double>(characters);
+  return 0.66 * font_size * static_cast<double>(characters);
 }
 
 }  // namespace
@@ -45,7 +49,7 @@ std::vector<LabelPlace> place_labels(const std::vector<LabelWanted>& labels,
                                      double font_size) {
   std::vector<Box> occupied = taken;
   std::vector<LabelPlace> places;
-  const double line = 1.15 * font_size;
+  const double line = 1.35 * font_size;
   for (const LabelWanted& label : labels) {
     const double width = width_of(label.text, font_size);
     LabelPlace best{};
@@ -56,8 +60,8 @@ std::vector<LabelPlace> place_labels(const std::vector<LabelWanted>& labels,
       const double x = label.x + at.across * kGap, y = label.y + at.up * line;
       const Box box{at.at_left ? x - width : x, y - line / 2, at.at_left ? x : x + width,
                     y + line / 2};
-      double cost = static_cast<double>(i) + 20 * outside(box, area);
-      for (const Box& other : occupied) cost += shared(box, other);
+      double cost = static_cast<double>(i) + 50 * outside(box, area);
+      for (const Box& other : occupied) cost += 2 * shared(box, other);
       if (!(cost < least)) continue;
       least = cost;
       best = {x, y, at.at_left};

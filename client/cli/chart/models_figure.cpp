@@ -52,6 +52,7 @@ Figure models_figure(const chart::Table& table) {
   for (std::size_t i = 0; i < table.rows.size();) {
     const std::string& model = table.word(i, "model");
     Panel panel{model, {"ns per evaluation", low, high}, {"relative error", kErrorLow, kErrorHigh}};
+    Front front;
     for (; i < table.rows.size() && table.word(i, "model") == model; ++i) {
       const auto* look = std::ranges::find_if(kLooks, [&](const Look& l) {
         return l.precision == table.word(i, "precision") &&
@@ -65,9 +66,10 @@ Figure models_figure(const chart::Table& table) {
            look->shape,
            false,
            {{ns, table.number(i, "ns_upper"), error, table.number(i, "error_999"), look->label}}});
-      if (table.number(i, "front") == 1) panel.front.emplace_back(ns, error);
+      if (table.number(i, "front") == 1) front.emplace_back(ns, error);
     }
-    std::ranges::sort(panel.front);
+    std::ranges::sort(front);
+    panel.fronts = {front};
     figure.panels.push_back(std::move(panel));
   }
   figure.panels.push_back(key_panel());

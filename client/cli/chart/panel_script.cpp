@@ -84,22 +84,41 @@ class Pixels {
 void take_mark(const Mark& mark, const Pixels& at, std::vector<Box>& taken) {
   const double x = at.x(mark.x), y = at.y(mark.y);
   taken.push_back({x - 5, y - 5, x + 5, y + 5});
-  if (!std::isnan(mark.x_high)) taken.push_back({x, y - 2, at.x(mark.x_high), y + 2});
+  if (!std::isnan(mark.x_high)) {
+    const double other = at.x(mark.x_high);
+    taken.push_back({std::min(x, other), y - 2, std::max(x, other), y + 2});
+  }
   if (std::isnan(mark.y_other)) return;
   const double other = at.y(mark.y_other);
   taken.push_back({x - 1, std::min(y, other), x + 1, std::max(y, other)});
 }
 
-// And the front's steps.
-void take_front(const Panel& panel, const Pixels& at, double right, std::vector<Box>& taken) {
-  for (std::size_t i = 0; i < panel.front.size(); ++i) {
-    const auto [from, level] = panel.front[i];
-    const bool last = i + 1 == panel.front.size();
-    const double y = at.y(level), to = last ? right : at.x(panel.front[i + 1].first);
-    taken.push_back({at.x(from), y - 2, to, y + 2});
-    if (!last) taken.push_back({to - 2, at.y(panel.front[i + 1].second), to + 2, y});
+// A front's steps.
+void take_front(const Front& front, const Pixels& at, double right, std::vector<Box>& taken) {
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    const bool last = i + 1 == front.size();
+    const double y = at.y(front[i].second), to = last ? right : at.x(front[i + 1].first);
+    taken.push_back({at.x(front[i].first), y - 2, to, y + 2});
+    if (!last) taken.push_back({to - 2, at.y(front[i + 1].second), to + 2, y});
   }
 }
+
+// The line through a series, as a row of boxes.
+void take_line(const Series& series, const Pixels& at, std::vector<Box>& taken) {
+  constexpr int kSteps = 24;
+  for (std::size_t i = 1; i < series.marks.size(); ++i) {
+    const Mark &a = series.marks[i - 1], &b = series.marks[i];
+    const double ax = at.x(a.x), bx = at.x(b.x), ay = at.y(a.y), by = at.y(b.y);
+    const int steps = std::clamp(static_cast<int>(std::hypot(bx - ax, by - ay) / 6), 1, kSteps);
+    for (int k = 0; k < steps; ++k) {
+      const double x = std::lerp(ax, bx, (k + 0.5) / steps),
+                   y = std::lerp(ay, by, (k + 0.5) / steps);
+      taken.push_back({x - 3, y - 3, x + 3, y + 3});
+    }
+  }
+}
+
+constexpr double kFar = 18;  // a label so far from its mark has a line to it
 
 std::string label_commands(const Panel& panel, const Frame& frame) {
   std::vector<LabelWanted> wanted;
@@ -107,6 +126,7 @@ std::string label_commands(const Panel& panel, const Frame& frame) {
   std::vector<Box> taken;
   const Pixels at(panel, frame.box);
   for (const Series& series : panel.series) {
+    if (series.joined) take_line(series, at, taken);
     for (const Mark& mark : series.marks) {
       take_mark(mark, at, taken);
       if (mark.label.empty()) continue;
@@ -114,10 +134,15 @@ std::string label_commands(const Panel& panel, const Frame& frame) {
       colours.push_back(series.colour);
     }
   }
-  take_front(panel, at, frame.box.right, taken);
+  for (const Front& front : panel.fronts) take_front(front, at, frame.box.right, taken);
   const auto places = place_labels(wanted, taken, frame.box, kLabelFont);
-  std::string text = "do for [i = 1:999] { unset label i }\n";
+  std::string text = "do for [i = 1:999] { unset label i }\nunset arrow\n";
   for (std::size_t i = 0; i < places.size(); ++i) {
+    if (std::hypot(places[i].x - wanted[i].x, places[i].y - wanted[i].y) > kFar) {
+      text += "set arrow from " + on_screen(frame, wanted[i].x, wanted[i].y) + " to " +
+              on_screen(frame, places[i].x, places[i].y) + " nohead lw 0.5 lc rgb \"" + colours[i] +
+              "\"\n";
+    }
     text += "set label " + std::to_string(i + 1) + " " + script_text(wanted[i].text) + " at " +
             on_screen(frame, places[i].x, places[i].y) + (places[i].at_left ? " right" : " left") +
             " noenhanced font \"," + script_number(kLabelFont) + "\" tc rgb \"" + colours[i] +
@@ -136,15 +161,18 @@ std::string axis_labels(const Panel& panel, const Frame& frame) {
   }
   if (frame.y_label) {
     text += "set label 1002 " + script_text(panel.y.label) + " at " +
-            on_screen(frame, box.left - 50, (box.bottom + box.top) / 2) + " center rotate by 90\n";
+            on_screen(frame, box.left - 62, (box.bottom + box.top) / 2) + " center rotate by 90\n";
   }
   return text;
 }
 
 std::string plot_command(const Panel& panel, const std::string& name) {
   std::vector<std::string> parts;
-  if (!panel.front.empty())
-    parts.push_back("$" + name + "_front with steps lw 1.5 lc rgb \"#b8b8b8\" notitle");
+  for (std::size_t i = 0; i < panel.fronts.size(); ++i) {
+    if (!panel.fronts[i].empty())
+      parts.push_back("$" + name + "_front" + std::to_string(i) +
+                      " with steps lw 1.5 lc rgb \"#b8b8b8\" notitle");
+  }
   for (std::size_t s = 0; s < panel.series.size(); ++s) {
     const Series& series = panel.series[s];
     const std::string data = "$" + name + "_" + std::to_string(s),
@@ -199,15 +227,19 @@ std::string data_blocks(const Panel& panel, const std::string& name) {
     }
     text += "EOD\n";
   }
-  if (panel.front.empty()) return text;
-  text += "$" + name + "_front << EOD\n";
-  text += script_number(clamped(panel.x, panel.front.front().first)) + " " +
-          script_number(panel.y.high) + "\n";
-  for (const auto& [x, y] : panel.front)
-    text += script_number(clamped(panel.x, x)) + " " + script_number(clamped(panel.y, y)) + "\n";
-  text += script_number(panel.x.high) + " " +
-          script_number(clamped(panel.y, panel.front.back().second)) + "\n";
-  return text + "EOD\n";
+  for (std::size_t i = 0; i < panel.fronts.size(); ++i) {
+    const Front& front = panel.fronts[i];
+    if (front.empty()) continue;
+    text += "$" + name + "_front" + std::to_string(i) + " << EOD\n";
+    text += script_number(clamped(panel.x, front.front().first)) + " " +
+            script_number(panel.y.high) + "\n";
+    for (const auto& [x, y] : front) {
+      text += script_number(clamped(panel.x, x)) + " " + script_number(clamped(panel.y, y)) + "\n";
+    }
+    text += script_number(panel.x.high) + " " +
+            script_number(clamped(panel.y, front.back().second)) + "\nEOD\n";
+  }
+  return text;
 }
 
 std::string panel_commands(const Panel& panel, const Frame& frame, const std::string& name) {

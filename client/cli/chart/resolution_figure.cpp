@@ -21,7 +21,7 @@ Figure resolution_figure(const chart::Table& table) {
                           is_linear ? table.word(i, "cells") : ""});
   }
   panel.series = {linear, nearest};
-  panel.front = front_of(table, "bytes", "l1_all");
+  panel.fronts = {front_of(table, "bytes", "l1_all")};
   panel.key = true;
   figure.panels.push_back(std::move(panel));
   return figure;

@@ -1,6 +1,7 @@
 // Strategies of sampling: a panel a model.
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "client/cli/chart/figures.h"
 
@@ -57,7 +58,17 @@ Figure sampling_figure(const chart::Table& table) {
   for (std::size_t i = 0; i < table.rows.size();) {
     const std::string& model = table.word(i, "model");
     Panel panel{model, {"ns a sample", low, high}, {"variance", kLow, kHigh}};
-    for (; i < table.rows.size() && table.word(i, "model") == model; ++i) add_mark(table, i, panel);
+    std::map<std::string, Front> fronts;  // one an angle
+    for (; i < table.rows.size() && table.word(i, "model") == model; ++i) {
+      add_mark(table, i, panel);
+      if (table.number(i, "front") == 1)
+        fronts[table.word(i, "group")].emplace_back(table.number(i, "ns"),
+                                                    table.number(i, "variance"));
+    }
+    for (auto& [group, front] : fronts) {
+      std::ranges::sort(front);
+      panel.fronts.push_back(front);
+    }
     figure.panels.push_back(std::move(panel));
   }
   figure.panels.push_back(key_panel());

@@ -52,7 +52,7 @@ Figure wire_figure(const chart::Table& table) {
     }
     panel.series.push_back(std::move(series));
   }
-  panel.front = front_of(table, "us", "ns_a_pair");
+  panel.fronts = {front_of(table, "us", "ns_a_pair")};
   panel.key = true;
   figure.panels.push_back(std::move(panel));
   return figure;
@@ -60,23 +60,29 @@ Figure wire_figure(const chart::Table& table) {
 
 Figure directions_figure(const chart::Table& table) {
   constexpr std::array kColours{kBlue, kGreen, kRed};
-  Figure figure{"directions", table.title, 680, 420, 1, {}};
-  Panel panel{
-      "error to f at the directions before rounding: 99.9th percentile (line: to the worst)",
-      {"bytes a pair", 30, 90},
-      {"relative error", 1e-16, 1}};
+  Figure figure{"directions",
+                "Types on the wire: bytes a pair of three channels against error, for lobes of ggx",
+                680,
+                420,
+                1,
+                {}};
+  Panel panel{"to f at the directions before rounding: 99.9th percentile (line: to the worst)",
+              {"bytes a pair", 0, 90, false},
+              {"relative error", 1e-16, 1}};
   std::size_t group = 0;
   for (std::size_t i = 0; i < table.rows.size(); ++group) {
     const std::string& material = table.word(i, "material");
     Series series{"", kColours[group % kColours.size()], Shape::disc, true};
     for (; i < table.rows.size() && table.word(i, "material") == material; ++i) {
-      const std::string& types = table.word(i, "types");
       series.marks.push_back({table.number(i, "bytes"), kNone, table.number(i, "error_999"),
-                              table.number(i, "error_worst"),
-                              types == "float32 to float64" ? types : types + ", " + material});
+                              table.number(i, "error_worst")});
     }
+    series.marks.front().label = "float32, " + material;
     panel.series.push_back(std::move(series));
   }
+  auto& lowest = panel.series.front().marks;
+  lowest[1].label = "float32 directions, float64 values";
+  lowest[2].label = "float64";
   figure.panels.push_back(std::move(panel));
   return figure;
 }
