@@ -33,6 +33,7 @@ Examples:
   gonio compare --reference nickel.binary --material nickel.json
   gonio put nickel nickel.binary      store a measured material on a server
   gonio assess --material gold.json   where it fails, and a verdict
+  gonio chart -o chart                speed against accuracy on this machine
   gonio evaluate --help               everything about it; so for each command
 
 Exit status: 0 done; 1 failed on the way; 2 wrong arguments, files or materials;
