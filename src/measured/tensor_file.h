@@ -23,7 +23,7 @@ class TensorFile {
     std::vector<float> values;  // the last dimension runs fastest
   };
 
-  // `bytes` is a whole file, `name` what errors call it; both must outlive the object. Errors:
+  // `bytes` is a whole file, which must outlive the object, `name` what errors call it. Errors:
   // data_loss for what is no such file or ends early.
   static Result<TensorFile> parse(std::string_view bytes, std::string name);
 
