@@ -24,5 +24,6 @@ Command add_lobe_command(CLI::App& app);
 Command add_render_command(CLI::App& app);
 Command add_fit_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
+Command add_select_command(CLI::App& app);
 
 }  // namespace gonio::cli

@@ -7,12 +7,9 @@
 #include "client/cli/commands.h"
 #include "client/cli/exit_codes.h"
 #include "client/cli/fit_table.h"
-#include "client/cli/material_argument.h"
-#include "client/cli/measured_input.h"
+#include "client/cli/local_reference.h"
 #include "client/cli/text.h"
-#include "engine/material_impl.h"
 #include "fit/metrics.h"
-#include "measured/table.h"
 #include "server/materials.h"
 
 namespace gonio::cli {
@@ -33,29 +30,6 @@ struct CompareArguments {
   std::vector<std::string> materials;
   bool degrees = false;
 };
-
-Result<Material> build(const Materials& materials, const std::string& argument) {
-  const auto material = read_material(argument, true);
-  if (!material) return material.error();
-  auto built = materials.resolve(material->wire());
-  if (!built) return built.error();
-  return built->material();
-}
-
-Result<fit::Data> read_reference(const CompareArguments& arguments, const Materials& materials) {
-  const auto input = read_measured(arguments.reference, true, arguments.degrees);
-  if (!input) return input.error();
-  if (input->measured) {
-    const auto material = materials.resolve(input->measured->wire());
-    if (!material) return material.error();
-    return fit::from_table(*material->material().impl().table);
-  }
-  const auto wide = [](const std::vector<float>& x) {
-    return std::vector<double>(x.begin(), x.end());
-  };
-  return fit::from_pairs(wide(input->wi), wide(input->wo), wide(input->values), input->channels,
-                         wide(input->weights));
-}
 
 client::FitErrors cells(const fit::Errors& errors) {
   return {errors.l1, errors.rmse, errors.log, errors.cbrt, errors.pairs};
@@ -87,14 +61,14 @@ Outcome check_channels(const std::string& name, const Material& material, const 
 int run(const CompareArguments& arguments) {
   Materials materials;
   materials.allow_local_files();
-  const auto data = read_reference(arguments, materials);
+  const auto data = local_data(materials, arguments.reference, arguments.degrees);
   if (!data) return fail(data.error());
   constexpr std::size_t kName = 28;
   std::string text = std::to_string(data->size()) + " pairs, " +
                      std::to_string(data->left_out.total()) + " left out\n\n" + error_head(kName) +
                      "\n";
   for (const std::string& argument : arguments.materials) {
-    const auto material = build(materials, argument);
+    const auto material = local_material(materials, argument);
     if (!material) return fail(material.error());
     if (auto agree = check_channels(argument, *material, *data); !agree) return fail(agree.error());
     const bool json = argument.find('{') != std::string::npos;

@@ -31,6 +31,7 @@ Examples:
   gonio lobe --material gold.json --theta 30,60,80 -o lobe.png
   gonio fit --data nickel.binary --model cook_torrance -o nickel.json
   gonio compare --reference nickel.binary --material nickel.json
+  gonio select --reference nickel.binary --scene scene.json -o nickel.json
   gonio evaluate --help               everything about it; so for each command
 
 Exit status: 0 done; 1 failed on the way; 2 wrong arguments, files or materials;
@@ -48,7 +49,8 @@ int main(int argc, char** argv) try {
   const auto commands = {gonio::cli::add_models_command(app), gonio::cli::add_evaluate_command(app),
                          gonio::cli::add_sample_command(app), gonio::cli::add_albedo_command(app),
                          gonio::cli::add_lobe_command(app),   gonio::cli::add_render_command(app),
-                         gonio::cli::add_fit_command(app),    gonio::cli::add_compare_command(app)};
+                         gonio::cli::add_fit_command(app),    gonio::cli::add_compare_command(app),
+                         gonio::cli::add_select_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help, --version
