@@ -28,6 +28,7 @@ double root_if_square(double ratio, Metric metric);
 struct Bounded {
   double value = 0, lower = 0, upper = 0;
 };
+inline constexpr double kWorthTrying = 0.95;  // of bounds on the second set
 Bounded bounded(const std::vector<Ratio>& errors, Metric metric, double confidence);
 
 // How far the float32 evaluation of a material is from the float64 one, by the metric (relative to

@@ -32,21 +32,31 @@ double largest_angle(const Scene& scene) {
 // What share of the error has its larger angle between two limits, and the error within the upper.
 struct Band {
   double lower, upper;  // degrees
-  double share, error_within;
+  double share;
+  Bounded within;
   std::size_t pairs_within;
 };
 
-std::vector<Band> bands_of(const Material& material, const fit::Data& data, const Scene& scene) {
-  const double all = error_of(material, data, scene.metric).numerator;
+Blocks within(const Blocks& blocks, double degrees) {
+  Blocks inner = blocks;
+  for (fit::Data& part : inner.parts) part = fit::within(part, 0, radians(degrees));
+  return inner;
+}
+
+std::vector<Band> bands_of(const Material& material, const Blocks& blocks, const Scene& scene) {
+  double all = 0, before = 0;
+  for (const Ratio& block : errors_of(material, blocks, scene.metric)) all += block.numerator;
   std::vector<Band> bands;
-  double before = 0;
   for (std::size_t i = 1; i < kLimits.size(); ++i) {
-    const fit::Data part = fit::within(data, 0, radians(kLimits[i]));
-    const Ratio error = error_of(material, part, scene.metric);
-    const double value = error.denominator > 0 ? error.numerator / error.denominator : 0;
-    bands.push_back({kLimits[i - 1], kLimits[i], all > 0 ? (error.numerator - before) / all : 0,
-                     root_if_square(value, scene.metric), part.size()});
-    before = error.numerator;
+    const Blocks inner = within(blocks, kLimits[i]);
+    const auto errors = errors_of(material, inner, scene.metric);
+    double sum = 0;
+    for (const Ratio& block : errors) sum += block.numerator;
+    std::size_t pairs = 0;
+    for (const fit::Data& part : inner.parts) pairs += part.size();
+    bands.push_back({kLimits[i - 1], kLimits[i], all > 0 ? (sum - before) / all : 0,
+                     bounded(errors, scene.metric, kWorthTrying), pairs});
+    before = sum;
     if (radians(kLimits[i]) >= largest_angle(scene) - 1e-9) break;
   }
   return bands;
@@ -64,17 +74,19 @@ std::string where(const fit::Regions& regions) {
 }  // namespace
 
 std::string explain_miss(const Material& material, const fit::Data& data, const Scene& scene) {
-  constexpr std::size_t kFewest = 30;  // pairs, below which a band says nothing
-  const auto bands = bands_of(material, data, scene);
-  std::string text = number("errs by %.3g", bands.back().error_within);
+  constexpr std::size_t kFewest = 200;  // pairs, below which a band says nothing
+  const auto bands = bands_of(material, Blocks(data), scene);
+  const Bounded& whole = bands.back().within;
+  std::string text = number("errs by %.3g", whole.value);
+  if (whole.value < scene.tolerance) text += number(", at most %.3g", whole.upper);
   text += where(fit::compare(material, data, 0).regions);
   const Band* good = nullptr;
   for (const Band& band : bands) {
-    if (band.pairs_within >= kFewest && band.error_within < scene.tolerance) good = &band;
+    if (band.pairs_within >= kFewest && band.within.upper < scene.tolerance) good = &band;
   }
   if (good != nullptr && good != &bands.back()) {
     text += number("; for angles up to %.0f degrees it would do", good->upper) +
-            number(" (%.3g)", good->error_within);
+            number(" (%.3g)", good->within.value);
   }
   const auto worst = std::max_element(
       bands.begin(), bands.end(), [](const Band& a, const Band& b) { return a.share < b.share; });

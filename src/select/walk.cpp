@@ -9,7 +9,7 @@
 namespace gonio::select {
 namespace {
 
-constexpr double kFrontConfidence = 0.99, kWorthTrying = 0.95;
+constexpr double kFrontConfidence = 0.99;
 constexpr double kRoundingShare = 0.01;  // of the tolerance
 
 std::string number(double x) {

@@ -82,7 +82,7 @@ TEST(Distribution, DrawsByItsDensity) {
   const select::Distribution distribution(scene);
   std::mt19937_64 random(1);
   double sum = 0;
-  constexpr int kDraws = 20'000;
+  constexpr int kDraws = 200'000;
   for (int i = 0; i < kDraws; ++i) {
     const auto [wi, wo] = distribution.draw(random);
     const double density = distribution.density(wi, wo);

@@ -3,16 +3,23 @@
 
 #include <gtest/gtest.h>
 
+#include "effort.h"
+
 namespace gonio::testing {
 namespace {
 
 class Trials : public ::testing::TestWithParam<Truth> {};
 
 TEST_P(Trials, RecoverTheGeneratingModel) {
-  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-    const Trial trial = run_trial(GetParam(), seed);
-    EXPECT_EQ(trial.chosen, GetParam().name) << "seed " << seed << ": " << trial.selection.reason;
-  }
+  const Trial trial = run_trial(GetParam(), 1);
+  EXPECT_EQ(trial.chosen, GetParam().name) << trial.selection.reason;
+}
+
+// Under sanitizers, where each takes many seconds, every third.
+std::vector<Truth> tried() {
+  std::vector<Truth> some;
+  for (std::size_t i = 0; i<truths().size(); i += kSlower> 1 ? 3 : 1) some.push_back(truths()[i]);
+  return some;
 }
 
 std::string name_of(const ::testing::TestParamInfo<Truth>& test) {
@@ -22,7 +29,7 @@ std::string name_of(const ::testing::TestParamInfo<Truth>& test) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Truths, Trials, ::testing::ValuesIn(truths()), name_of);
+INSTANTIATE_TEST_SUITE_P(Truths, Trials, ::testing::ValuesIn(tried()), name_of);
 
 }  // namespace
 }  // namespace gonio::testing
