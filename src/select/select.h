@@ -81,6 +81,14 @@ struct Selection {
   std::string reason;
 };
 
+// Whether a choice's or an entry's material says something: that of the reference itself does not.
+bool has_model(const MaterialSpec& material);
+
+// Are they options? Errors name "options....".
+Outcome check(const Options& options);
+// About what a selection from a reference of so many channels holds, in bytes.
+std::size_t memory_of(int channels, const Options& options);
+
 // Errors: invalid_argument naming "scene...", "options..." or "reference" (too few usable pairs in
 // the scene, nothing that reflects); cancelled. That nothing is good enough is no error.
 Result<Selection> choose(const fit::Data& reference, const Scene& scene, const Options& options);

@@ -56,7 +56,7 @@ Choice Walk::rounded_choice(const Tried& tried, std::size_t index) const {
   Choice choice;
   choice.entry = index;
   choice.material = tried.entry.material;
-  if (tried.form.model || tried.form.diffuse || !tried.form.specular.empty()) {
+  if (has_model(tried.form)) {
     const double most = tried.entry.error.value + kRoundingShare * scene_.tolerance;
     for (int digits = kFewestDigits; digits <= kMostDigits; ++digits) {
       const MaterialSpec spec = rounded(tried.entry.material, digits);
