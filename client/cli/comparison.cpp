@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "client/cli/local_reference.h"
 #include "client/cli/material_argument.h"
+#include "engine/material_impl.h"
 #include "server/materials.h"
 
 namespace gonio::cli {
@@ -13,9 +13,22 @@ namespace {
 Result<Compared> build(const Materials& materials, const std::string& argument) {
   auto material = read_material(argument, true);
   if (!material) return material.error();
-  auto built = local_material(materials, *material);
+  auto built = materials.resolve(material->wire());
   if (!built) return built.error();
-  return Compared{shown_name(argument), std::move(*material), std::move(*built)};
+  return Compared{shown_name(argument), std::move(*material), built->material()};
+}
+
+Result<fit::Data> data_of(const MeasuredInput& input, const Materials& materials) {
+  if (input.measured) {
+    const auto material = materials.resolve(input.measured->wire());
+    if (!material) return material.error();
+    return fit::from_table(*material->material().impl().table);
+  }
+  const auto wide = [](const std::vector<float>& x) {
+    return std::vector<double>(x.begin(), x.end());
+  };
+  return fit::from_pairs(wide(input.wi), wide(input.wo), wide(input.values), input.channels,
+                         wide(input.weights));
 }
 
 Outcome check_channels(const std::string& name, const Material& material, const fit::Data& data) {
@@ -38,7 +51,7 @@ Result<Comparison> read_comparison(const std::string& reference,
   materials.allow_local_files();
   auto input = read_measured(reference, true, degrees);
   if (!input) return input.error();
-  auto data = local_data(materials, *input);
+  auto data = data_of(*input, materials);
   if (!data) return data.error();
   Comparison comparison{std::move(*input), std::move(*data), {}};
   for (const std::string& argument : arguments) {

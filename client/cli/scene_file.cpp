@@ -1,187 +1,104 @@
 #include "client/cli/scene_file.h"
 
-#include <google/protobuf/struct.pb.h>
-#include <google/protobuf/util/json_util.h>
+#include <filesystem>
+#include <utility>
 
-#include <algorithm>
-#include <array>
-#include <fstream>
-#include <iterator>
-#include <numbers>
-#include <optional>
-#include <vector>
+#include "client/cli/json_fields.h"
+#include "client/cli/scene_needs.h"
 
 namespace gonio::cli {
 namespace {
 
-using google::protobuf::Struct;
-using google::protobuf::Value;
+const std::string kPrefix = "scene.";
 
-constexpr double kRadians = std::numbers::pi / 180;
-constexpr std::array<std::string_view, 10> kFields{
-    "theta_i",    "theta_o", "phi",       "histogram",  "lights",
-    "anisotropy", "metric",  "tolerance", "confidence", "cost"};
-constexpr std::array<std::string_view, 4> kHistogram{"theta_i", "theta_o", "phi", "counts"};
-
-Result<Struct> read_object(const std::string& file, const char* what) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return bad_value(what, file, "a JSON file that can be read", ErrorCode::not_found);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  Struct object;
-  const auto status = google::protobuf::util::JsonStringToMessage(text, &object);
-  if (status.ok()) return object;
-  return Error{ErrorCode::invalid_argument, file + ": " + std::string(status.message()), what, file,
-               "a JSON object"};
+// Those of needs and one more.
+Outcome check_fields(const JsonObject& object, std::string_view more, const std::string& prefix) {
+  std::vector<std::string_view> known(kNeedFields.begin(), kNeedFields.end());
+  known.push_back(more);
+  return check_names(object, known, prefix);
 }
 
-std::string as_text(const Value& value) {
-  std::string text;
-  (void)google::protobuf::util::MessageToJsonString(value, &text);
-  return text;
-}
-
-template <std::size_t N>
-Outcome check_names(const Struct& object, const std::array<std::string_view, N>& known,
-                    const std::string& prefix) {
-  std::string all;
-  for (const std::string_view name : known) all += (all.empty() ? "" : ", ") + std::string(name);
-  for (const auto& [name, value] : object.fields()) {
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      return bad_value(prefix + name, "not a field", all);
+// What is said of all materials with what one says itself in its place: ranges, or a histogram.
+JsonObject merged(const JsonObject& of_all, const JsonObject& own) {
+  JsonObject both = of_all;
+  auto& fields = *both.mutable_fields();
+  if (find(own, "histogram") != nullptr) {
+    for (const std::string_view name : kRangeFields) fields.erase(std::string(name));
   }
-  return Ok{};
-}
-
-const Value* find(const Struct& object, const char* name) {
-  const auto found = object.fields().find(name);
-  return found == object.fields().end() ? nullptr : &found->second;
-}
-
-// Numbers, each times `unit`.
-Result<std::vector<double>> numbers(const Value& value, const std::string& field, double unit) {
-  std::vector<double> all;
-  for (const Value& number : value.list_value().values()) {
-    if (!number.has_number_value()) return bad_value(field, as_text(number), "numbers");
-    all.push_back(number.number_value() * unit);
+  for (const std::string_view name : kRangeFields) {
+    if (find(own, std::string(name)) != nullptr) fields.erase("histogram");
   }
-  if (!value.has_list_value()) return bad_value(field, as_text(value), "a list of numbers");
-  return all;
+  for (const auto& [name, value] : own.fields()) fields[name] = value;
+  return both;
 }
 
-// [lower, upper] in degrees; `usual` where it is not given, if there is one.
-Result<select::Range> range(const Struct& object, const char* name,
-                            std::optional<select::Range> usual) {
-  const std::string field = std::string("scene.") + name;
-  const Value* value = find(object, name);
-  if (value == nullptr) {
-    if (usual) return *usual;
-    return bad_value(field, "not given", "[lower, upper] in degrees");
-  }
-  const auto ends = numbers(*value, field, kRadians);
-  if (!ends) return ends.error();
-  if (ends->size() != 2)
-    return bad_value(field, as_text(*value), "two numbers: [lower, upper] in degrees");
-  return select::Range{(*ends)[0], (*ends)[1]};
+// A file's place is relative to the scene's; JSON stays JSON, and a name a name.
+Result<std::string> reference_of(const JsonObject& material, const std::string& scene_file) {
+  const JsonValue* value = find(material, "reference");
+  if (value == nullptr)
+    return bad_value("reference", "not given", "a file, a material or the name of one");
+  if (value->has_struct_value()) return as_text(*value);
+  if (!value->has_string_value())
+    return bad_value("reference", as_text(*value), "a file, a material or the name of one");
+  const std::filesystem::path path = value->string_value();
+  if (!path.has_extension() && !path.has_parent_path()) return path.string();
+  return (std::filesystem::path(scene_file).parent_path() / path).string();
 }
 
-Result<std::vector<select::Bin>> histogram(const Value& value) {
-  const Struct& object = value.struct_value();
+Result<SceneMaterial> material_of(const std::string& name, const JsonValue& value,
+                                  const JsonObject& of_all, const std::string& file) {
   if (!value.has_struct_value())
-    return bad_value("scene.histogram", as_text(value),
-                     "an object of theta_i, theta_o, phi and counts");
-  if (auto ok = check_names(object, kHistogram, "scene.histogram."); !ok) return ok.error();
-  std::array<std::vector<double>, 4> lists;
-  for (std::size_t i = 0; i < lists.size(); ++i) {
-    const std::string name(kHistogram[i]);
-    const Value* list = find(object, name.c_str());
-    if (list == nullptr)
-      return bad_value("scene.histogram." + name, "not given", "a list of numbers");
-    auto read = numbers(*list, "scene.histogram." + name, name == "counts" ? 1 : kRadians);
-    if (!read) return read.error();
-    lists[i] = std::move(*read);
-  }
-  return select::bins_of(lists[0], lists[1], lists[2], lists[3]);
-}
-
-Result<std::vector<select::Bin>> ranges(const Struct& object, select::Lights lights) {
-  if (!find(object, "theta_i") && !find(object, "theta_o") && !find(object, "phi"))
-    return std::vector<select::Bin>{};  // check() says that this is no scene
-  std::optional<select::Range> everywhere;
-  if (lights == select::Lights::environment) everywhere = select::Range{0, 90 * kRadians};
-  const auto theta_i = range(object, "theta_i", everywhere),
-             theta_o = range(object, "theta_o", std::nullopt),
-             phi = range(object, "phi", select::Range{0, 180 * kRadians});
-  for (const auto* found : {&theta_i, &theta_o, &phi}) {
-    if (!*found) return found->error();
-  }
-  return std::vector<select::Bin>{{*theta_i, *theta_o, *phi}};
-}
-
-Result<std::vector<select::Bin>> bins(const Struct& object, select::Lights lights) {
-  const Value* logged = find(object, "histogram");
-  if (logged == nullptr) return ranges(object, lights);
-  for (const char* name : {"theta_i", "theta_o", "phi"}) {
-    if (find(object, name) != nullptr)
-      return bad_value("scene.histogram", std::string("beside ") + name, "ranges or a histogram");
-  }
-  return histogram(*logged);
-}
-
-Outcome read_number(const Struct& object, const char* name, double& to) {
-  const Value* value = find(object, name);
-  if (value == nullptr) return Ok{};
-  if (!value->has_number_value())
-    return bad_value(std::string("scene.") + name, as_text(*value), "a number");
-  to = value->number_value();
-  return Ok{};
-}
-
-// A word by the function that knows the words.
-template <class Enum, class OfName>
-Outcome read_word(const Struct& object, const char* name, const OfName& of_name, Enum& to) {
-  const Value* value = find(object, name);
-  if (value == nullptr) return Ok{};
-  auto found = of_name(value->has_string_value() ? value->string_value() : as_text(*value));
-  if (!found) return found.error();
-  to = *found;
-  return Ok{};
-}
-
-Outcome read_switch(const Struct& object, const char* name, bool& to) {
-  const Value* value = find(object, name);
-  if (value == nullptr) return Ok{};
-  if (!value->has_bool_value())
-    return bad_value(std::string("scene.") + name, as_text(*value), "true or false");
-  to = value->bool_value();
-  return Ok{};
+    return bad_value("material", as_text(value), "an object with a reference");
+  const JsonObject& own = value.struct_value();
+  if (auto ok = check_fields(own, "reference", {}); !ok) return ok.error();
+  auto reference = reference_of(own, file);
+  if (!reference) return reference.error();
+  auto needs = scene_needs(merged(of_all, own));
+  if (!needs) return needs.error();
+  return SceneMaterial{name, std::move(*reference), std::move(*needs)};
 }
 
 }  // namespace
 
-Result<select::Scene> read_scene(const std::string& file) {
-  const auto object = read_object(file, "scene");
-  if (!object) return object.error();
-  if (auto ok = check_names(*object, kFields, "scene."); !ok) return ok.error();
-  select::Scene scene;
-  for (const Outcome& ok : {read_word(*object, "lights", select::lights_of, scene.lights),
-                            read_word(*object, "metric", select::metric_of, scene.metric),
-                            read_word(*object, "cost", select::cost_of, scene.cost),
-                            read_number(*object, "tolerance", scene.tolerance),
-                            read_number(*object, "confidence", scene.confidence),
-                            read_switch(*object, "anisotropy", scene.anisotropy)}) {
-    if (!ok) return ok.error();
-  }
-  auto found = bins(*object, scene.lights);
-  if (!found) return found.error();
-  scene.bins = std::move(*found);
-  if (auto ok = check(scene); !ok) return ok.error();
-  return scene;
+Error of_material(const std::string& name, Error error) {
+  if (!name.empty()) error.message.insert(0, name + ": ");
+  return error;
 }
 
-Result<select::CostTable> read_costs(const std::string& file) {
+Result<std::vector<SceneMaterial>> read_scene(const std::string& file,
+                                              const std::string& reference) {
+  const auto object = read_object(file, "scene");
+  if (!object) return object.error();
+  if (auto ok = check_fields(*object, "materials", kPrefix); !ok) return ok.error();
+  const JsonValue* materials = find(*object, "materials");
+  if (!reference.empty()) {
+    if (materials != nullptr)
+      return bad_value("scene.materials", "given beside --reference", "one of both");
+    auto needs = scene_needs(*object);
+    if (!needs) return needs.error();
+    return std::vector<SceneMaterial>{{{}, reference, std::move(*needs)}};
+  }
+  if (materials == nullptr || materials->struct_value().fields().empty())
+    return bad_value(
+        "scene.materials", materials == nullptr ? "not given" : as_text(*materials),
+        R"(materials by name, such as {"car": {"reference": "car.binary"}}; or --reference)");
+  JsonObject of_all = *object;
+  of_all.mutable_fields()->erase("materials");
+  std::map<std::string, SceneMaterial> sorted;
+  for (const auto& [name, value] : materials->struct_value().fields()) {
+    auto material = material_of(name, value, of_all, file);
+    if (!material) return of_material(name, material.error());
+    sorted.emplace(name, std::move(*material));
+  }
+  std::vector<SceneMaterial> all;
+  for (auto& [name, material] : sorted) all.push_back(std::move(material));
+  return all;
+}
+
+Result<std::map<std::string, double, std::less<>>> read_costs(const std::string& file) {
   const auto object = read_object(file, "costs");
   if (!object) return object.error();
-  select::CostTable costs;
+  std::map<std::string, double, std::less<>> costs;
   for (const auto& [part, value] : object->fields()) {
     if (!value.has_number_value() || !(value.number_value() > 0))
       return bad_value("costs." + part, as_text(value), "a number above 0, in nanoseconds");

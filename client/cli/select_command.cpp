@@ -1,4 +1,6 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -7,72 +9,71 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/exit_codes.h"
-#include "client/cli/local_reference.h"
+#include "client/cli/material_argument.h"
+#include "client/cli/measured_input.h"
 #include "client/cli/output_file.h"
 #include "client/cli/progress.h"
 #include "client/cli/scene_file.h"
+#include "client/cli/select_arguments.h"
 #include "client/cli/select_report.h"
-#include "server/materials.h"
 
 namespace gonio::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
-The reference is a material (JSON, a .json file, or MERL's .binary), itself the last candidate, or a file
-of measured pairs, as for 'gonio fit'. The scene is a JSON file of
-  theta_i, theta_o   [lower, upper] degrees, of light and view; with an environment theta_i is [0, 90] if
-                     not given
-  phi                [lower, upper] between their azimuths, 0 to 180, where the mirror's side is
-  histogram          in place of these: {"theta_i": edges, "theta_o": edges, "phi": edges, "counts":
-                     numbers, phi the fastest}
-  lights             "directional" (if not given) or "environment"
-  anisotropy         false: only isotropic candidates
-  tolerance, metric  of the error: "l1" (if not given), relative; "rmse", "log" or "cbrt"
-  confidence         that the error is below the tolerance: 0.95 if not given
-  cost               "ns" (if not given), "bytes" or "ns_variance": ns times 1 + variance / mean^2 of
-                     samples, for environments
-Every model is tried, alone, over a lambertian base and as two lobes over one. In the table o marks the
-front, those that err less than all that cost less by more than chance, and * the choice: the cheapest
-whose error is certified to be below the tolerance, on directions that it was neither fitted to nor
-chosen by. Works in this process.
+// What is selected for: a material as it is, or measured pairs, which `input` holds.
+struct Reference {
+  MeasuredInput input;
+  std::optional<client::Material> material;
 
-Exit status 1 if nothing is good enough.
-
-Example, with scene.json {"theta_i": [0, 60], "theta_o": [0, 75], "tolerance": 0.1}:
-  gonio select --reference nickel.binary --scene scene.json -o nickel.json)";
-
-struct SelectArguments {
-  std::string reference, scene, costs, output, report;
-  bool degrees = false, all = false, quiet = false;
-  select::Options options;
+  [[nodiscard]] client::SelectReference given() const {
+    if (material) return *material;
+    return input.data();
+  }
 };
 
-bool is_material(const std::string& argument) {
-  const auto extension = std::filesystem::path(argument).extension();
-  return argument.starts_with("{") || extension == ".json" || extension == ".binary";
+// Tables that only this machine has travel to a server as pairs.
+Result<Reference> read_reference(const std::string& argument, const SelectArguments& arguments) {
+  constexpr std::array<std::string_view, 5> kPairs{".brdf", ".dat", ".alta", ".csv", ".npy"};
+  const bool embedded = arguments.connection.server.empty();
+  const bool json = argument.find('{') != std::string::npos;
+  const std::string extension =
+      json ? std::string() : std::filesystem::path(argument).extension().string();
+  const bool pairs = argument == "-" || (extension == ".binary" && !embedded) ||
+                     std::find(kPairs.begin(), kPairs.end(), extension) != kPairs.end();
+  Reference reference;
+  if (pairs) {
+    auto input = read_measured(argument, false, arguments.degrees);
+    if (!input) return input.error();
+    reference.input = std::move(*input);
+    return reference;
+  }
+  auto material = read_material(argument, embedded);
+  if (!material) return material.error();
+  reference.material = std::move(*material);
+  return reference;
 }
 
-Result<select::Selection> choose(const SelectArguments& arguments, const select::Scene& scene) {
-  Materials materials;
-  materials.allow_local_files();
-  select::Options options = arguments.options;
-  if (!arguments.costs.empty()) {
-    auto costs = read_costs(arguments.costs);
-    if (!costs) return costs.error();
-    options.costs = std::move(*costs);
-  }
+Result<std::vector<NamedSelection>> select_all(const client::Client& client,
+                                               const std::vector<SceneMaterial>& materials,
+                                               const SelectArguments& arguments) {
   Progress progress(!arguments.quiet, "candidates");
-  options.progress = [&](const std::string& name, std::size_t done, std::size_t of) {
-    progress.show(static_cast<double>(done) / static_cast<double>(of), name);
-  };
-  if (is_material(arguments.reference)) {
-    const auto material = local_material(materials, arguments.reference);
-    if (!material) return material.error();
-    return select::choose(*material, scene, options);
+  std::vector<NamedSelection> found;
+  for (const SceneMaterial& material : materials) {
+    const auto reference = read_reference(material.reference, arguments);
+    if (!reference) return of_material(material.name, reference.error());
+    client::SelectWatch watch;
+    watch.progress = [&](const client::SelectProgress& at) {
+      const double part =
+          at.of == 0 ? 0 : static_cast<double>(at.done) / static_cast<double>(at.of);
+      progress.show(
+          (static_cast<double>(found.size()) + part) / static_cast<double>(materials.size()),
+          material.name + " " + (at.candidate.empty() ? at.stage : at.candidate));
+    };
+    auto selection = client.select(reference->given(), material.needs, arguments.options, watch);
+    if (!selection) return of_material(material.name, selection.error());
+    found.push_back({material.name, std::move(*selection)});
   }
-  const auto data = local_data(materials, arguments.reference, arguments.degrees);
-  if (!data) return data.error();
-  return select::choose(*data, scene, options);
+  return found;
 }
 
 Outcome write(const std::string& file, const std::string& text) {
@@ -83,50 +84,50 @@ Outcome write(const std::string& file, const std::string& text) {
   return output->commit();
 }
 
-int run(const SelectArguments& arguments) {
-  const auto scene = read_scene(arguments.scene);
-  if (!scene) return fail(scene.error());
-  const auto selection = choose(arguments, *scene);
-  if (!selection) return fail(selection.error());
-  const auto& choice = selection->choice;
-  Outcome written = write(arguments.report, select_json(*selection));
-  // The reference itself is not written: it is where it was.
-  const bool analytic = choice && selection->entries[choice->entry].parameters > 0;
-  if (written && analytic)
-    written = write(arguments.output, material_json(choice->material) + "\n");
-  if (!written) return fail(written.error());
-  const bool taken = arguments.output == "-" || arguments.report == "-";
-  if (!arguments.quiet)
-    std::fputs(select_table(*selection, arguments.all).c_str(), taken ? stderr : stdout);
-  return choice ? exit_ok : exit_failed;
+// A scene's materials go to files of their names in a folder. A choice that is the reference itself
+// is not written: it is where it was.
+Outcome write_materials(const std::string& output, const std::vector<NamedSelection>& found) {
+  if (output.empty()) return Ok{};
+  for (const auto& [name, selection] : found) {
+    if (!selection.choice || !selection.choice->material) continue;
+    std::string file = output;
+    if (!name.empty()) {
+      std::error_code failed;
+      std::filesystem::create_directories(output, failed);
+      file = (std::filesystem::path(output) / (name + ".json")).string();
+    }
+    if (auto written = write(file, selection.choice->material->to_json() + "\n"); !written)
+      return written;
+  }
+  return Ok{};
 }
 
-void add_options(CLI::App& command, SelectArguments& arguments) {
-  command.footer(kFooter);
-  command.add_option("--reference", arguments.reference, "What is to be replaced (see below)")
-      ->type_name("R")
-      ->required();
-  command.add_option("--scene", arguments.scene, "What the scene needs (see below)")
-      ->type_name("FILE")
-      ->required();
-  command
-      .add_option("--costs", arguments.costs,
-                  "Nanoseconds by part, as JSON: {\"ggx:schlick\": 4.4, ...}; else measured here")
-      ->type_name("FILE");
-  command
-      .add_option("--lobes", arguments.options.lobes,
-                  "At most so many specular lobes: 1, or 2 if not given")
-      ->type_name("N")
-      ->check(CLI::Range(1, 2).description(""));
-  command.add_option("--seed", arguments.options.seed, "Of the choice of pairs; 1 if not given")
-      ->type_name("N");
-  command.add_flag("--deg", arguments.degrees, "Angles of a CSV are in degrees");
-  command.add_flag("--all", arguments.all, "Show what is not on the front, too, and why");
-  command.add_option("-o,--output", arguments.output, "Where the choice's JSON goes; - is stdout")
-      ->type_name("OUT");
-  command.add_option("--report", arguments.report, "Where all that is known goes, as JSON")
-      ->type_name("OUT");
-  command.add_flag("--quiet,-q", arguments.quiet, "No progress bar and no table");
+int run(SelectArguments& arguments) {
+  const auto materials = read_scene(arguments.scene, arguments.reference);
+  if (!materials) return fail(materials.error());
+  if (!arguments.costs.empty()) {
+    auto costs = read_costs(arguments.costs);
+    if (!costs) return fail(costs.error());
+    arguments.options.costs = std::move(*costs);
+  }
+  auto connection = Connection::open(arguments.connection);
+  if (!connection) return fail(connection.error());
+  const auto found = select_all(connection->client, *materials, arguments);
+  if (!found) return fail(found.error());
+  Outcome written = write(arguments.report, select_json(*found));
+  if (written) written = write_materials(arguments.output, *found);
+  if (!written) return fail(written.error());
+  // The table must not stand among what is read from standard output.
+  const bool taken = arguments.output == "-" || arguments.report == "-";
+  const bool one = (*found)[0].name.empty();
+  if (!arguments.quiet) {
+    const std::string table =
+        one ? select_table((*found)[0].selection, arguments.all) : scene_table(*found);
+    std::fputs(table.c_str(), taken ? stderr : stdout);
+  }
+  const bool all = std::all_of(found->begin(), found->end(),
+                               [](const auto& each) { return each.selection.choice.has_value(); });
+  return all ? exit_ok : exit_bad_verdict;
 }
 
 }  // namespace
@@ -135,7 +136,7 @@ Command add_select_command(CLI::App& app) {
   auto arguments = std::make_shared<SelectArguments>();
   CLI::App* command =
       app.add_subcommand("select", "The cheapest material that is good enough for a scene");
-  add_options(*command, *arguments);
+  add_select_options(*command, *arguments);
   return {command, [arguments] { return run(*arguments); }};
 }
 

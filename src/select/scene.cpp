@@ -11,22 +11,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr std::array<std::string_view, 4> kMetrics{"l1", "rmse", "log", "cbrt"};
-constexpr std::array<std::string_view, 3> kCosts{"ns", "bytes", "ns_variance"};
-constexpr std::array<std::string_view, 2> kLights{"directional", "environment"};
 // Angles arrive as degrees; a right angle may be off by a rounding.
 constexpr double kSlack = 1e-9;
-
-template <class Enum, std::size_t N>
-Result<Enum> named(const std::array<std::string_view, N>& names, const char* field,
-                   std::string_view name) {
-  std::string known;
-  for (std::size_t i = 0; i < N; ++i) {
-    if (names[i] == name) return static_cast<Enum>(i);
-    known += (known.empty() ? "" : ", ") + std::string(names[i]);
-  }
-  return bad_value(field, '"' + std::string(name) + '"', known);
-}
 
 std::string number(double x) {
   char text[32];
@@ -75,19 +61,6 @@ Outcome check_counts(std::span<const double> counts, std::size_t expected) {
 }
 
 }  // namespace
-
-std::string_view name_of(Metric metric) { return kMetrics[static_cast<std::size_t>(metric)]; }
-std::string_view name_of(CostKind cost) { return kCosts[static_cast<std::size_t>(cost)]; }
-std::string_view name_of(Lights lights) { return kLights[static_cast<std::size_t>(lights)]; }
-Result<Metric> metric_of(std::string_view name) {
-  return named<Metric>(kMetrics, "scene.metric", name);
-}
-Result<CostKind> cost_of(std::string_view name) {
-  return named<CostKind>(kCosts, "scene.cost", name);
-}
-Result<Lights> lights_of(std::string_view name) {
-  return named<Lights>(kLights, "scene.lights", name);
-}
 
 fit::Objective objective_of(Metric metric) {
   constexpr std::array kObjectives{fit::Objective::l1, fit::Objective::l2, fit::Objective::log,

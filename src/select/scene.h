@@ -5,8 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -21,24 +19,18 @@ enum class Metric : std::uint8_t {
   log,   // of log(1 + f cos)
   cbrt,  // of the cube root of f cos
 };
-std::string_view name_of(Metric metric);
-Result<Metric> metric_of(std::string_view name);  // the field is "scene.metric"
-fit::Objective objective_of(Metric metric);       // what a fit minimises for it
+fit::Objective objective_of(Metric metric);  // what a fit minimises for it
 
 enum class CostKind : std::uint8_t {
   ns,           // time of an evaluation
   bytes,        // memory that the prepared material holds
   ns_variance,  // ns times 1 + variance / mean^2 of a sample's weight; see cost.h
 };
-std::string_view name_of(CostKind cost);
-Result<CostKind> cost_of(std::string_view name);  // the field is "scene.cost"
 
 enum class Lights : std::uint8_t {
   directional,  // theta_i are the angles at which they stand
   environment,  // light from everywhere: theta_i goes from 0 to the horizon
 };
-std::string_view name_of(Lights lights);
-Result<Lights> lights_of(std::string_view name);  // the field is "scene.lights"
 
 struct Range {
   double lower = 0, upper = 0;  // radians

@@ -50,14 +50,6 @@ TEST(Scene, NamesWhatIsWrong) {
   EXPECT_TRUE(check(scene_to(90, 0.1)).ok());
 }
 
-TEST(Scene, NamesThatAreNotKnown) {
-  EXPECT_EQ(select::metric_of("delta").error().field, "scene.metric");
-  EXPECT_EQ(select::metric_of("delta").error().allowed, "l1, rmse, log, cbrt");
-  EXPECT_EQ(select::cost_of("euro").error().allowed, "ns, bytes, ns_variance");
-  EXPECT_EQ(select::lights_of("moon").error().allowed, "directional, environment");
-  EXPECT_EQ(*select::metric_of("cbrt"), select::Metric::cbrt);
-}
-
 TEST(Scene, HistogramsBecomeBins) {
   const auto bins = select::bins_of({0, 0.5, 1}, {0, 1}, {0, 1, pi}, {1, 0, 2, 3});
   ASSERT_TRUE(bins.ok()) << bins.error().message;
