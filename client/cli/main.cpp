@@ -33,6 +33,7 @@ Examples:
   gonio compare --reference nickel.binary --material nickel.json
   gonio put nickel nickel.binary      store a measured material on a server
   gonio assess --material gold.json   where it fails, and a verdict
+  gonio select --reference nickel.binary --scene scene.json -o nickel.json
   gonio evaluate --help               everything about it; so for each command
 
 Exit status: 0 done; 1 failed on the way; 2 wrong arguments, files or materials;
@@ -52,7 +53,8 @@ int main(int argc, char** argv) try {
                          gonio::cli::add_sample_command(app), gonio::cli::add_albedo_command(app),
                          gonio::cli::add_lobe_command(app),   gonio::cli::add_render_command(app),
                          gonio::cli::add_fit_command(app),    gonio::cli::add_compare_command(app),
-                         gonio::cli::add_put_command(app),    gonio::cli::add_assess_command(app)};
+                         gonio::cli::add_put_command(app),    gonio::cli::add_assess_command(app),
+                         gonio::cli::add_select_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help, --version

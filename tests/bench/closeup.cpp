@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "bench/textbook.h"
+#include "chart/textbook.h"
 #include "client/cli/connection.h"
 #include "client/render/evaluator.h"
 #include "client/render/integrator.h"
@@ -44,7 +44,7 @@ class Paper : public render::Surface {
                  std::span<float> pdf, std::span<Rgb> weights) override {
     std::vector<bool> lost(pdf.size());
     for (std::size_t i = 0; i < pdf.size(); ++i) {
-      Vector<float> light = strategy_.draw(at(viewers, i), at(xi, i));
+      chart::Vector<float> light = strategy_.draw(at(viewers, i), at(xi, i));
       lost[i] = !(light[2] > 0);
       if (lost[i]) light = {0, 0, 1};
       std::copy(light.begin(), light.end(), lights.begin() + static_cast<std::ptrdiff_t>(3 * i));
@@ -58,11 +58,11 @@ class Paper : public render::Surface {
   }
 
  private:
-  static Vector<float> at(std::span<const float> triples, std::size_t i) {
+  static chart::Vector<float> at(std::span<const float> triples, std::size_t i) {
     return {triples[3 * i], triples[3 * i + 1], triples[3 * i + 2]};
   }
   render::Evaluator& evaluator_;
-  ByHalfVector<float, PowerNormals<float>> strategy_{{kNu, kNv}};
+  chart::ByHalfVector<float, chart::PowerNormals<float>> strategy_{{kNu, kNv}};
 };
 
 struct Timed {

@@ -54,7 +54,7 @@ void print_models(const Best& best) {
   std::printf("%-17s %-9s %-8s %6s %8s %8s %8s %8s   %7s %7s %-12s   %4s %4s %4s\n", "model",
               "precision", "isa", "(4096)", "float", "double", "(4096)", "(1 M)", "worst", "99.9 %",
               "is at", "1 k", "10 k", "1 M");
-  for (const auto& model : bench_cases<float>()) {
+  for (const auto& model : model_cases<float>()) {
     for (const Isa isa : supported_isas()) {
       print_row<float>(best, model.name, model.spec, "fast", isa);
       print_row<double>(best, model.name, model.spec, "reference", isa);
@@ -64,7 +64,7 @@ void print_models(const Best& best) {
 
 void print_threads(const Best& best) {
   std::printf("\n2 threads over 1, on the best instruction set:\n");
-  for (const auto& model : bench_cases<float>()) {
+  for (const auto& model : model_cases<float>()) {
     const std::string at = model.name + "/fast/" + std::string(name_of(best_isa())) + "/";
     std::printf("  %-17s", model.name.c_str());
     for (const std::size_t n : kSizes) {
@@ -83,7 +83,7 @@ void print_combinations(const Best& best) {
                      std::to_string(kSpectralPairs));
   };
   std::printf("\nTime of 64 channels over that of 3, batches of %zu:\n", kSpectralPairs);
-  for (const auto& model : bench_cases<float>()) {
+  for (const auto& model : model_cases<float>()) {
     std::printf("  %-17s  %.2f\n", model.name.c_str(),
                 three_channels(model.name) / best.rate(model.name + kSpectral));
   }

@@ -11,12 +11,14 @@
 #include <random>
 
 #include "bench/best.h"
-#include "bench/sampling_cases.h"
+#include "chart/sampling_cases.h"
 #include "engine/sampler.h"
 #include "models/run.h"
 
 namespace gonio::bench {
 namespace {
+
+using chart::BoundedCase, chart::SamplingCase, chart::ScalarSampling, chart::Vector64;
 
 constexpr std::size_t kSizes[] = {1000, 4096, 65536, std::size_t{1} << 20};
 
@@ -195,7 +197,7 @@ void print_variances(const std::vector<SamplingCase>& cases) {
   for (const SamplingCase& of : cases) {
     for (const double theta : {10.0, 60.0, 75.0, 85.0}) print(of, theta, 0, "\n");
   }
-  for (const BoundedCase& of : bounded_cases()) {
+  for (const BoundedCase& of : chart::bounded_cases()) {
     print(of.material, of.theta, of.azimuth, "");
     std::printf("   wanted %.3f\n", of.bound);
   }
@@ -206,11 +208,11 @@ void print_variances(const std::vector<SamplingCase>& cases) {
 
 int main(int argc, char** argv) {
   using namespace gonio::bench;
-  const std::vector<SamplingCase> cases = timed_cases();
+  const std::vector<gonio::chart::SamplingCase> cases = gonio::chart::timed_cases();
   for (const std::size_t n : kSizes) {
     benchmark::RegisterBenchmark(("memory limit/" + std::to_string(n)).c_str(), memory_limit, n);
   }
-  for (const SamplingCase& model : cases) register_case(model);
+  for (const auto& model : cases) register_case(model);
   Best best;
   run_all(argc, argv, best);
   print_speed(best, cases);

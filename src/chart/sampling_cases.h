@@ -1,14 +1,14 @@
-// What sampling_bench measures: materials, and how a textbook draws for them.
+// What is drawn from: materials, and how a textbook draws for them.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "bench/cases.h"
-#include "bench/textbook.h"
+#include "chart/cases.h"
+#include "chart/textbook.h"
 
-namespace gonio::bench {
+namespace gonio::chart {
 
 using Vector64 = Vector<double>;
 
@@ -25,7 +25,7 @@ struct SamplingCase {
   ScalarSampling scalar = nullptr;  // only for what is timed
 };
 
-// Every model as core_bench has it.
+// Every model as model_cases() has it.
 std::vector<SamplingCase> timed_cases();
 // With F = 1, where a bound was set to the variance of their weights at 75 degrees.
 struct BoundedCase {
@@ -36,4 +36,4 @@ struct BoundedCase {
 };
 std::vector<BoundedCase> bounded_cases();
 
-}  // namespace gonio::bench
+}  // namespace gonio::chart

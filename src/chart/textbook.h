@@ -3,9 +3,9 @@
 // This is what the samplers are compared with. xi: which of two, and two for the direction.
 #pragma once
 
-#include "bench/printed.h"
+#include "chart/printed.h"
 
-namespace gonio::bench {
+namespace gonio::chart {
 
 template <class T>
 using Vector = std::array<T, 3>;
@@ -120,4 +120,4 @@ struct HalfCosine {
   }
 };
 
-}  // namespace gonio::bench
+}  // namespace gonio::chart

@@ -7,7 +7,7 @@
 
 #include "assess/naive.h"
 
-namespace gonio::bench {
+namespace gonio::chart {
 
 template <class T>
 using Rgb = std::array<T, 3>;
@@ -88,4 +88,4 @@ struct Printed : assess::Naive<T> {
   }
 };
 
-}  // namespace gonio::bench
+}  // namespace gonio::chart

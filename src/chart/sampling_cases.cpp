@@ -1,6 +1,6 @@
-#include "bench/sampling_cases.h"
+#include "chart/sampling_cases.h"
 
-namespace gonio::bench {
+namespace gonio::chart {
 namespace {
 
 template <class T>
@@ -30,7 +30,7 @@ SamplingCase drawn_by(const MaterialSpec& spec, const Strategy& strategy, std::s
           [strategy](const Vector64& wi, const Vector64& wo) { return strategy.pdf(wi, wo); }};
 }
 
-// The strategies with the parameters of bench_cases().
+// The strategies with the parameters of model_cases().
 template <class T>
 struct Fixed {
   static constexpr Cosine<T> kCosine{};
@@ -46,7 +46,7 @@ struct Fixed {
 
 template <class Strategy32, const Strategy32& kStrategy, Function<float> kPrinted, class Strategy64>
 SamplingCase timed(const std::string& name, const Strategy64& strategy) {
-  const auto cases = bench_cases<float>();
+  const auto cases = model_cases<float>();
   const auto found = std::find_if(cases.begin(), cases.end(),
                                   [&](const auto& model) { return model.name == name; });
   SamplingCase made = drawn_by(found->spec, strategy, name);
@@ -104,4 +104,4 @@ std::vector<BoundedCase> bounded_cases() {
           {glossy, 75, 90, 0.15}};
 }
 
-}  // namespace gonio::bench
+}  // namespace gonio::chart
