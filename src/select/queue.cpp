@@ -112,7 +112,9 @@ Outcome Queue::fill(const Material* reference) {
 }
 
 Outcome Queue::walk(Walk& walk) {
-  for (auto first = waiting_.begin(); first != waiting_.end();) {
+  auto first = waiting_.begin();
+  while (first != waiting_.end()) {
+    if (walk.has_choice() && !task_.options.whole_front) break;
     const auto end = std::find_if(first, waiting_.end(),
                                   [&](const Tried& tried) { return !same_price(*first, tried); });
     for (auto tried = first; tried != end; ++tried) {
@@ -120,7 +122,10 @@ Outcome Queue::walk(Walk& walk) {
     }
     std::stable_sort(first, end, errs_less);
     for (; first != end; ++first) walk.take(std::move(*first));
-    if (walk.has_choice() && !task_.options.whole_front) break;
+  }
+  // What costs more is looked at only where that costs nothing: the reference.
+  for (; first != waiting_.end(); ++first) {
+    if (first->material) walk.take(std::move(*first));
   }
   return Ok{};
 }
