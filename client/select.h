@@ -70,7 +70,7 @@ struct SelectScene {
 using SelectReference = std::variant<Material, FitData>;
 
 struct SelectOptions {
-  bool whole_front = true;  // false: what costs more than the choice is not looked at
+  bool whole_front = true;  // false: what costs more than the choice is not fitted
   unsigned lobes = 2;       // at most so many specular ones, 1 or 2
   // Nanoseconds of parts by name, such as "ggx:schlick"; empty: measured by the server.
   std::map<std::string, double, std::less<>> costs;

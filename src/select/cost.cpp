@@ -1,35 +1,18 @@
 #include "select/cost.h"
 
 #include <algorithm>
-#include <chrono>
+#include <memory>
 #include <random>
 
 #include "engine/evaluate.h"
 #include "engine/sampler.h"
+#include "timing/pairs.h"
+#include "timing/race.h"
 
 namespace gonio::select {
 namespace {
 
-constexpr int kRepeats = 15;
 constexpr std::size_t kIncident = 64, kSamples = 256;  // of the second moment
-
-template <class Out>
-double best_ns(const Material& material, const fit::Data& data) {
-  const std::size_t count = std::min(kTilePairs, data.size());
-  std::vector<Out> values(count * static_cast<std::size_t>(material.channels()));
-  const Batch<float, Out> batch{data.incident(0), data.outgoing(0), count,
-                                Values<Out>::planar(values.data(), count), nullptr};
-  double best = 1e300;
-  for (int i = 0; i < kRepeats; ++i) {
-    const auto begin = std::chrono::steady_clock::now();
-    evaluate(material, batch, best_isa());
-    const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - begin;
-    best = std::min(best, took.count() / static_cast<double>(count));
-  }
-  return best;
-}
-
-}  // namespace
 
 Result<double> ns_from(const CostTable& table, const std::vector<std::string>& parts) {
   double sum = 0;
@@ -44,9 +27,38 @@ Result<double> ns_from(const CostTable& table, const std::vector<std::string>& p
   return sum;
 }
 
-double measured_ns(const Material& material, const fit::Data& data, Precision precision) {
-  return precision == Precision::fast ? best_ns<float>(material, data)
-                                      : best_ns<double>(material, data);
+Result<std::vector<double>> measured_ns(const std::vector<Priced>& priced,
+                                        const std::function<bool()>& stop) {
+  // Less than tests/bench spends: some sixty materials in half a second.
+  constexpr timing::Effort kEffort{.repetitions = 7, .seconds = 0.001};
+  int channels = 1;
+  for (const Priced& one : priced) channels = std::max(channels, one.material.channels());
+  const auto pairs = std::make_shared<timing::Pairs>(timing::kTimedPairs, channels);
+  std::map<std::vector<std::string>, std::size_t> places;
+  std::vector<timing::Runner> runners;
+  for (const Priced& one : priced) {
+    if (places.emplace(one.parts, runners.size()).second)
+      runners.push_back(timing::evaluation(pairs, one.material, Precision::fast, best_isa()));
+  }
+  const auto seconds = timing::race(runners, kEffort, stop);
+  if (stop && stop()) return Error{ErrorCode::cancelled, "the selection was stopped", {}, {}, {}};
+  std::vector<double> ns;
+  for (const Priced& one : priced) ns.push_back(1e9 * seconds[places.at(one.parts)].best);
+  return ns;
+}
+
+}  // namespace
+
+Result<std::vector<double>> ns_of(const std::vector<Priced>& priced, const CostTable& table,
+                                  const std::function<bool()>& stop) {
+  if (table.empty()) return measured_ns(priced, stop);
+  std::vector<double> ns;
+  for (const Priced& one : priced) {
+    const auto sum = ns_from(table, one.parts);
+    if (!sum) return sum.error();
+    ns.push_back(*sum);
+  }
+  return ns;
 }
 
 double relative_second_moment(const Material& material, const Distribution& scene,

@@ -39,7 +39,7 @@
 namespace gonio::select {
 
 struct Options {
-  bool whole_front = true;  // false: candidates above the choice's cost are not looked at
+  bool whole_front = true;  // false: candidates above the choice's cost are not fitted
   int lobes = 2;            // at most so many specular lobes: 1 or 2
   CostTable costs;          // ns of parts; empty: measured here
   SetSizes sizes;
@@ -76,7 +76,8 @@ struct Choice {
 };
 
 struct Selection {
-  std::vector<Entry> entries;  // by cost; without whole_front, those up to the choice
+  std::vector<Entry>
+      entries;  // by cost; without whole_front, those up to the choice and the reference
   std::optional<Choice> choice;
   std::string reason;
 };

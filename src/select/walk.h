@@ -9,6 +9,7 @@ namespace gonio::select {
 struct Tried {
   Entry entry;
   MaterialSpec form;
+  std::vector<std::string> parts;
   bool anisotropic = false;
   std::optional<Material> material;
   std::vector<Ratio> errors;  // on the second set, by block
