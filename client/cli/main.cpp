@@ -54,7 +54,7 @@ int main(int argc, char** argv) try {
                          gonio::cli::add_lobe_command(app),   gonio::cli::add_render_command(app),
                          gonio::cli::add_fit_command(app),    gonio::cli::add_compare_command(app),
                          gonio::cli::add_put_command(app),    gonio::cli::add_assess_command(app),
-                         gonio::cli::add_select_command(app)};
+                         gonio::cli::add_select_command(app), gonio::cli::add_chart_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help, --version

@@ -79,6 +79,22 @@ class Judge {
     }
   }
 
+  // Adds all errors to a list.
+  void list(std::span<const double> values, ErrorList& list) const {
+    const std::size_t channels = values.size() / pairs_.size();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Pair& pair = pairs_[i / channels];
+      if (!is_within(pair, bound_) || !(std::min(pair.wi[2], pair.wo[2]) > 0)) continue;
+      Findings one;
+      if (!is_proper(values[i], one)) {
+        ++list.improper;
+        continue;
+      }
+      compare(values[i], i, channels, one);
+      if (one.checked > 0) list.relative.push_back(one.worst.error);
+    }
+  }
+
   // Against the values of the exchanged directions.
   void judge_reciprocity(std::span<const double> values, std::span<const double> exchanged,
                          Worst& worst) const {
@@ -173,7 +189,29 @@ void look(const Subject& subject, const std::vector<Pair>& pairs, PlaceReport& r
   report.pairs += pairs.size();
 }
 
+void list_errors(const Subject& subject, const std::vector<Pair>& pairs, PlaceErrors& errors) {
+  const auto channels = static_cast<std::size_t>(subject.channels);
+  const std::vector<Pair> floats = rounded(pairs);
+  const Truths of_floats = truths_of(subject, floats, Precision::fast);
+  const Judge judge(floats, of_floats, subject.fast, std::numeric_limits<float>::max());
+  judge.list(subject.evaluate(floats, Precision::fast), errors.fast);
+  if (subject.naive32) judge.list(naive_values(*subject.naive32, floats, channels), errors.naive32);
+  if (subject.naive64) judge.list(naive_values(*subject.naive64, floats, channels), errors.naive64);
+  const Truths truths = truths_of(subject, pairs, Precision::reference);
+  Judge(pairs, truths, subject.reference, std::numeric_limits<double>::max())
+      .list(subject.evaluate(pairs, Precision::reference), errors.reference);
+}
+
 }  // namespace
+
+void add_errors_at(std::size_t place, const Subject& subject, std::size_t count, std::uint64_t seed,
+                   PlaceErrors& errors) {
+  for (std::size_t done = 0; done < count; done += kChunk) {
+    const auto pairs =
+        pairs_at(place, subject, std::min(kChunk, count - done), seed * 65537 + done);
+    if (!pairs.empty()) list_errors(subject, pairs, errors);
+  }
+}
 
 std::optional<PlaceReport> look_at(std::size_t place, const Subject& subject, std::size_t count,
                                    std::uint64_t seed, const std::function<bool()>& stop) {
