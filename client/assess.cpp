@@ -1,5 +1,3 @@
-#include <google/protobuf/util/json_util.h>
-
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -7,6 +5,7 @@
 #include "client/check_answer.h"
 #include "client/client.h"
 #include "client/convert.h"
+#include "client/message_json.h"
 #include "client/state.h"
 #include "gonio/v1/assess.pb.h"
 #include "wire/bytes.h"
@@ -107,17 +106,6 @@ AssessIncidence incidence_of(const v1::AssessIncidence& from) {
 
 AssessCheck check_of(const v1::AssessCheck& from) {
   return {from.name(), from.value(), from.limit(), from.passed(), from.where()};
-}
-
-Result<std::string> json_of(const v1::AssessResponse& response) {
-  google::protobuf::util::JsonPrintOptions options;
-  options.add_whitespace = true;
-  options.always_print_primitive_fields = true;
-  options.preserve_proto_field_names = true;
-  std::string json;
-  const auto status = google::protobuf::util::MessageToJsonString(response, &json, options);
-  if (!status.ok()) return Error{ErrorCode::internal, status.ToString(), {}, {}, {}};
-  return json;
 }
 
 Result<Assessment> assessment_of(const v1::AssessResponse& response) {

@@ -1,6 +1,5 @@
 #include "client/client.h"
 
-#include <google/protobuf/util/json_util.h>
 #include <grpc/grpc.h>
 #include <grpcpp/create_channel.h>
 #include <grpcpp/impl/codegen/proto_utils.h>
@@ -13,6 +12,7 @@
 
 #include "client/address.h"
 #include "client/convert.h"
+#include "client/message_json.h"
 #include "client/retry.h"
 #include "client/rpc.h"
 #include "client/state.h"
@@ -123,14 +123,7 @@ Result<Catalogue> Client::list_models(std::string_view name) const {
 Result<std::string> Client::list_models_json(std::string_view name) const {
   auto response = list(state_->peer, state_->options, name);
   if (!response) return response.error();
-  google::protobuf::util::JsonPrintOptions options;
-  options.add_whitespace = true;
-  options.always_print_primitive_fields = true;
-  options.preserve_proto_field_names = true;
-  std::string json;
-  const auto status = google::protobuf::util::MessageToJsonString(*response, &json, options);
-  if (!status.ok()) return Error{ErrorCode::internal, status.ToString(), {}, {}, {}};
-  return json;
+  return json_of(*response);
 }
 
 }  // namespace gonio::client

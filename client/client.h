@@ -45,6 +45,7 @@
 #include "client/models.h"
 #include "client/put.h"
 #include "client/sampling.h"
+#include "client/select.h"
 #include "client/types.h"
 
 namespace grpc {
@@ -221,6 +222,13 @@ class Client {
   // second. A bad verdict is no error. Errors: limits out of bounds, and what the server says.
   [[nodiscard]] Result<Assessment> assess(const Material& material,
                                           const AssessOptions& options = {}) const;
+
+  // Chooses the cheapest material that is good enough for a scene: see client/select.h. Takes
+  // seconds. That nothing is good enough is no error. The same reference, scene and options give
+  // the same choice, but for costs that the server measures. Errors: those of fit(), naming
+  // "scene....", "options....", "material....", "pairs...." or "reference".
+  Result<Selection> select(const SelectReference& reference, const SelectScene& scene,
+                           const SelectOptions& options = {}, const SelectWatch& watch = {}) const;
 
  private:
   struct State;

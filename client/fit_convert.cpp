@@ -1,10 +1,10 @@
 #include "client/fit_convert.h"
 
-#include <google/protobuf/util/json_util.h>
-
 #include <algorithm>
 #include <utility>
 #include <vector>
+
+#include "client/message_json.h"
 
 namespace gonio::client {
 namespace {
@@ -115,17 +115,6 @@ FitCertificate certificate_of(const v1::FitCertificate& from) {
   return to;
 }
 
-Result<std::string> json_of(const google::protobuf::Message& message) {
-  google::protobuf::util::JsonPrintOptions options;
-  options.add_whitespace = true;
-  options.always_print_primitive_fields = true;
-  options.preserve_proto_field_names = true;
-  std::string json;
-  const auto status = google::protobuf::util::MessageToJsonString(message, &json, options);
-  if (!status.ok()) return Error{ErrorCode::internal, status.ToString(), {}, {}, {}};
-  return json;
-}
-
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
@@ -149,12 +138,11 @@ FitProgress progress_of(const gonio::v1::FitProgress& progress) {
 }
 
 Result<FitResult> fit_result_of(const gonio::v1::FitResult& result) {
-  auto material = json_of(result.material());
+  auto material = material_of(result.material());
+  if (!material) return material.error();
   auto json = json_of(result);
-  if (!material || !json) return material ? json.error() : material.error();
-  auto parsed = Material::from_json(*material);
-  if (!parsed) return parsed.error();
-  return FitResult{std::move(*parsed), certificate_of(result.certificate()), std::move(*json)};
+  if (!json) return json.error();
+  return FitResult{std::move(*material), certificate_of(result.certificate()), std::move(*json)};
 }
 
 }  // namespace gonio::client

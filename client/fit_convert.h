@@ -8,6 +8,9 @@
 
 namespace gonio::client {
 
+// The pairs.
+void fill(const FitData& from, gonio::v1::MeasuredPairs& to);
+
 // Errors: a material that cannot be read.
 Result<gonio::v1::FitRequest> fit_request(const FitData& data, const Material& form,
                                           const FitOptions& options);

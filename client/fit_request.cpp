@@ -49,14 +49,6 @@ void fill(const FitOptions& from, v1::FitOptions& to) {
   to.set_seed(from.seed);
 }
 
-void fill(const FitData& from, v1::MeasuredPairs& to) {
-  to.mutable_wi()->Assign(from.wi.begin(), from.wi.end());
-  to.mutable_wo()->Assign(from.wo.begin(), from.wo.end());
-  to.mutable_values()->Assign(from.values.begin(), from.values.end());
-  to.mutable_weights()->Assign(from.weights.begin(), from.weights.end());
-  to.set_channels(static_cast<std::uint32_t>(std::max(from.channels, 0)));
-}
-
 }  // namespace
 
 std::string_view name_of(Objective objective) {
@@ -70,6 +62,14 @@ std::optional<Objective> objective_of(std::string_view name) {
     if (known == name) return objective;
   }
   return std::nullopt;
+}
+
+void fill(const FitData& from, gonio::v1::MeasuredPairs& to) {
+  to.mutable_wi()->Assign(from.wi.begin(), from.wi.end());
+  to.mutable_wo()->Assign(from.wo.begin(), from.wo.end());
+  to.mutable_values()->Assign(from.values.begin(), from.values.end());
+  to.mutable_weights()->Assign(from.weights.begin(), from.weights.end());
+  to.set_channels(static_cast<std::uint32_t>(std::max(from.channels, 0)));
 }
 
 Result<gonio::v1::FitRequest> fit_request(const FitData& data, const Material& form,

@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "assess/assess.h"
-#include "server/call.h"
+#include "server/background_work.h"
 
 namespace gonio {
 
@@ -29,15 +29,10 @@ class AssessCall final : public grpc::ServerUnaryReactor,
 
   Outcome enqueue(const grpc::ByteBuffer& request);
   void run();
-  [[nodiscard]] Error over() const;
   void end(const grpc::Status& status);
 
-  const Backend& backend_;
-  grpc::CallbackServerContext& context_;
+  BackgroundWork background_;
   grpc::ByteBuffer& response_;
-  CallState state_;
-  AccessLine access_;
-  MemoryBudget::Charge charge_;
   std::optional<PreparedMaterial> material_;
   assess::Options options_;
   Isa isa_ = Isa::baseline;

@@ -1,12 +1,9 @@
 #include "server/assess_request.h"
 
-#include <grpcpp/impl/codegen/proto_utils.h>
-
 #include <string>
 
+#include "server/decode_request.h"
 #include "wire/convert.h"
-#include "wire/fields.h"
-#include "wire/material_size.h"
 
 namespace gonio {
 namespace {
@@ -79,21 +76,7 @@ assess::Limits limits_of(const v1::AssessLimits& from) {
 }  // namespace
 
 Result<v1::AssessRequest> decode_assess_request(const grpc::ByteBuffer& buffer) {
-  const auto bytes = wire::SliceBytes::of(buffer);
-  wire::FieldReader fields(bytes, {0, bytes.size()});
-  std::size_t material = 0;
-  for (wire::Field field; fields.next(field);) {
-    if (field.is(v1::AssessRequest::kMaterialFieldNumber, wire::WireType::bytes))
-      material += field.value.size();
-  }
-  if (auto small = wire::check_material_size(material); !small) return small.error();
-  grpc::ByteBuffer copy(buffer);  // of references
-  v1::AssessRequest request;
-  const bool readable =
-      fields.ok() &&
-      grpc::SerializationTraits<v1::AssessRequest>::Deserialize(&copy, &request).ok();
-  if (!readable) return bad_value("request", "not a " + request.GetTypeName(), "the bytes of one");
-  return request;
+  return decode_request<v1::AssessRequest>(buffer, {v1::AssessRequest::kMaterialFieldNumber});
 }
 
 assess::Options assess_options(const v1::AssessRequest& request) {

@@ -1,15 +1,12 @@
 #include "server/fit_request.h"
 
-#include <grpcpp/impl/codegen/proto_utils.h>
-
 #include <utility>
-#include <vector>
 
 #include "engine/material_impl.h"
 #include "measured/table.h"
 #include "server/build_material.h"
-#include "wire/fields.h"
-#include "wire/material_size.h"
+#include "server/decode_request.h"
+#include "server/measured_pairs.h"
 
 namespace gonio {
 namespace {
@@ -93,42 +90,17 @@ Result<std::shared_ptr<const MeasuredTable>> table_of(const v1::Material& measur
   return table;
 }
 
-// About what one pair costs: the request, its copy in float64 and Data; with a polish also the
-// transformed values and a descent's residuals.
+// About what the fit holds; a polish also has the transformed values and a descent's residuals.
 std::size_t bytes_of(std::size_t pairs, std::size_t channels, bool polish) {
-  constexpr std::size_t kDirections = 6 * (4 + 8 + 4) + 16;
   constexpr std::size_t kSubsets = std::size_t{32} << 20;
-  return kSubsets + pairs * (kDirections + channels * (polish ? 64 : 16));
-}
-
-template <class From>
-std::vector<double> wide(const From& numbers) {
-  return {numbers.begin(), numbers.end()};
-}
-
-Error within_pairs(Error error) {
-  error.field = "pairs." + error.field;
-  error.message = "pairs." + error.message;
-  return error;
+  return kSubsets + pairs * (bytes_of_pair(channels) + (polish ? 48 * channels : 0));
 }
 
 }  // namespace
 
 Result<v1::FitRequest> decode_fit_request(const grpc::ByteBuffer& buffer) {
-  const auto bytes = wire::SliceBytes::of(buffer);
-  wire::FieldReader fields(bytes, {0, bytes.size()});
-  std::size_t materials = 0;
-  for (wire::Field field; fields.next(field);) {
-    const bool material = field.is(v1::FitRequest::kMeasuredFieldNumber, wire::WireType::bytes) ||
-                          field.is(v1::FitRequest::kFormFieldNumber, wire::WireType::bytes);
-    if (material) materials += field.value.size();
-  }
-  if (auto small = wire::check_material_size(materials); !small) return small.error();
-  grpc::ByteBuffer copy(buffer);  // of references
-  v1::FitRequest request;
-  if (!fields.ok() || !grpc::SerializationTraits<v1::FitRequest>::Deserialize(&copy, &request).ok())
-    return bad_value("request", "not a " + request.GetTypeName(), "the bytes of one");
-  return request;
+  return decode_request<v1::FitRequest>(
+      buffer, {v1::FitRequest::kMeasuredFieldNumber, v1::FitRequest::kFormFieldNumber});
 }
 
 Result<FitTask> fit_task(const v1::FitRequest& request, const Materials& materials) {
@@ -145,23 +117,15 @@ Result<FitTask> fit_task(const v1::FitRequest& request, const Materials& materia
     return task;
   }
   if (!request.has_pairs()) return bad_value("data", "not given", "pairs or measured");
-  const auto channels = static_cast<std::size_t>(request.pairs().channels());
-  if (channels < 1 || channels > static_cast<std::size_t>(kMaxChannels)) {
-    return bad_value("pairs.channels", std::to_string(channels),
-                     "1 to " + std::to_string(kMaxChannels));
-  }
-  task.bytes =
-      bytes_of(static_cast<std::size_t>(request.pairs().wi_size()) / 3, channels, options->polish);
+  if (auto good = check_pairs(request.pairs()); !good) return good.error();
+  task.bytes = bytes_of(static_cast<std::size_t>(request.pairs().wi_size()) / 3,
+                        request.pairs().channels(), options->polish);
   return task;
 }
 
 Result<fit::Data> fit_data(const v1::FitRequest& request, const FitTask& task) {
   if (task.table) return fit::from_table(*task.table);
-  const v1::MeasuredPairs& pairs = request.pairs();
-  auto data = fit::from_pairs(wide(pairs.wi()), wide(pairs.wo()), wide(pairs.values()),
-                              static_cast<int>(pairs.channels()), wide(pairs.weights()));
-  if (!data) return within_pairs(data.error());
-  return data;
+  return data_of(request.pairs());
 }
 
 }  // namespace gonio

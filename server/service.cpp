@@ -9,6 +9,7 @@
 #include "server/list_models.h"
 #include "server/put_call.h"
 #include "server/sampling.h"
+#include "server/select_call.h"
 #include "server/stream_call.h"
 #include "server/unary_call.h"
 #include "wire/status.h"
@@ -72,7 +73,7 @@ grpc::ServerUnaryReactor* Service::Integrate(grpc::CallbackServerContext* contex
 grpc::ServerWriteReactor<grpc::ByteBuffer>* Service::Fit(grpc::CallbackServerContext* context,
                                                          const grpc::ByteBuffer* request) {
   backend_.call_begins();
-  return FitCall::start(backend_, *context, *request);
+  return ProgressCall::start<FitCall>(backend_, *context, *request);
 }
 
 grpc::ServerReadReactor<grpc::ByteBuffer>* Service::PutMaterial(
@@ -86,6 +87,12 @@ grpc::ServerUnaryReactor* Service::Assess(grpc::CallbackServerContext* context,
                                           grpc::ByteBuffer* response) {
   backend_.call_begins();
   return AssessCall::start(backend_, *context, *request, *response);
+}
+
+grpc::ServerWriteReactor<grpc::ByteBuffer>* Service::Select(grpc::CallbackServerContext* context,
+                                                            const grpc::ByteBuffer* request) {
+  backend_.call_begins();
+  return ProgressCall::start<SelectCall>(backend_, *context, *request);
 }
 
 }  // namespace gonio

@@ -18,8 +18,9 @@ using RawSample = WireService::WithRawCallbackMethod_Sample<
 using RawFit = WireService::WithRawCallbackMethod_Fit<RawSample>;
 using RawPut = WireService::WithRawCallbackMethod_PutMaterial<RawFit>;
 using RawAssess = WireService::WithRawCallbackMethod_Assess<RawPut>;
+using RawSelect = WireService::WithRawCallbackMethod_Select<RawAssess>;
 using RawService = WireService::WithCallbackMethod_ListModels<
-    WireService::WithRawCallbackMethod_Integrate<RawAssess>>;
+    WireService::WithRawCallbackMethod_Integrate<RawSelect>>;
 
 class Service final : public RawService {
  public:
@@ -41,6 +42,8 @@ class Service final : public RawService {
   grpc::ServerUnaryReactor* Assess(grpc::CallbackServerContext* context,
                                    const grpc::ByteBuffer* request,
                                    grpc::ByteBuffer* response) override;
+  grpc::ServerWriteReactor<grpc::ByteBuffer>* Select(grpc::CallbackServerContext* context,
+                                                     const grpc::ByteBuffer* request) override;
 
   grpc::ServerUnaryReactor* Sample(grpc::CallbackServerContext* context,
                                    const grpc::ByteBuffer* request,

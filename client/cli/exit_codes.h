@@ -11,7 +11,8 @@ enum ExitCode : int {
   exit_failed = 1,       // something went wrong on the way: writing the results, inside the server
   exit_bad_input = 2,    // wrong arguments, files, materials or directions
   exit_unreachable = 3,  // no answer from the server: not there, too busy, or past the deadline
-  exit_bad_verdict = 4,  // done, and what was assessed is not within its limits
+  exit_bad_verdict =
+      4,  // done, but not within the limits: `assess`, or nothing good enough: `select`
 };
 
 ExitCode exit_code_of(const Error& error);

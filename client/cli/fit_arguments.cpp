@@ -16,6 +16,7 @@ extension:
   .binary         MERL's table of half and difference angles
   .brdf           Cornell's text: wavelengths, then theta_i phi_i theta_s phi_s and a value for each
   .dat, .alta     ALTA's text, with the parametrisation ISOTROPIC_TL_TV_PROJ_DPHI
+  .bsdf           a file of the RGL material database: isotropic, RGB
   else NPY        float32 or float64, N x (6 + channels): wi, wo and the values
   or CSV          with the header wi_x,wi_y,wi_z,wo_x,wo_y,wo_z (or theta_i,phi_i,theta_o,phi_o) and
                   f_0,f_1,... in 1/sr without a cosine, such as 'gonio evaluate --with-input' writes;

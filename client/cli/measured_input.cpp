@@ -31,13 +31,14 @@ Result<MeasuredInput> weighed(Result<MeasuredInput> input) {
   return input;
 }
 
-Result<MeasuredInput> from_text(const Result<MeasuredPairs>& pairs) {
+Result<MeasuredInput> from_pairs(const Result<MeasuredPairs>& pairs) {
   if (!pairs) return pairs.error();
   MeasuredInput input;
   input.channels = pairs->channels;
   input.wi = narrow(pairs->wi);
   input.wo = narrow(pairs->wo);
   input.values = narrow(pairs->values);
+  input.weights = narrow(pairs->weights);
   return input;
 }
 
@@ -76,8 +77,9 @@ Result<MeasuredInput> read_measured(const std::string& file, bool keep_tables, b
     return input;
   }
   if (extension == ".binary") return from_merl(file);
-  if (extension == ".brdf") return weighed(from_text(read_cornell(file)));
-  if (extension == ".dat" || extension == ".alta") return weighed(from_text(read_alta(file)));
+  if (extension == ".brdf") return weighed(from_pairs(read_cornell(file)));
+  if (extension == ".dat" || extension == ".alta") return weighed(from_pairs(read_alta(file)));
+  if (extension == ".bsdf") return from_pairs(read_rgl(file));
   auto source = ByteSource::open(file);
   if (!source) return std::move(source).error();
   auto start = source->peek(kNpyMagic.size());

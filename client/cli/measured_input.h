@@ -22,11 +22,11 @@ struct MeasuredInput {
   }
 };
 
-// By the file's extension: .binary is MERL, .brdf Cornell's text, .dat or .alta ALTA's; anything
-// else is CSV or NPY, told apart by its first bytes. Without weights of its own a goniometer's data
-// are weighed by the directions that they stand for (measured/solid_angle.h). `keep_tables`: a MERL
-// file stays a file for an embedded server to read; otherwise its cells become pairs. `degrees`: a
-// CSV's angles are.
+// By the file's extension: .binary is MERL, .brdf Cornell's text, .dat or .alta ALTA's, .bsdf
+// RGL's; anything else is CSV or NPY, told apart by its first bytes. Without weights of its own a
+// goniometer's data are weighed by the directions that they stand for (measured/solid_angle.h).
+// `keep_tables`: a MERL file stays a file for an embedded server to read; otherwise its cells
+// become pairs. `degrees`: a CSV's angles are.
 Result<MeasuredInput> read_measured(const std::string& file, bool keep_tables, bool degrees);
 
 // CSV: the header names wi_x,...,wo_z or theta_i,phi_i,theta_o,phi_o; f_0, f_1, ... (1 to 64); and,

@@ -66,26 +66,6 @@ Outcome check_lengths(std::size_t wi, std::size_t wo, std::size_t values, int ch
   return weights == 0 ? Outcome(Ok{}) : check("weights", weights, wi / 3);
 }
 
-// Copies the pairs at `kept`, their weights times `factor`.
-Data select(const Data& data, std::span<const std::size_t> kept, double factor) {
-  Data result;
-  result.channels = data.channels;
-  result.left_out = data.left_out;
-  const auto pick = [&](std::span<const float> from, std::vector<float>& to) {
-    to.reserve(to.size() + kept.size());
-    for (const std::size_t i : kept) to.push_back(from[i]);
-  };
-  for (std::size_t k = 0; k < 3; ++k) {
-    pick(data.wi[k], result.wi[k]);
-    pick(data.wo[k], result.wo[k]);
-  }
-  pick(data.weights, result.weights);
-  for (float& w : result.weights) w = static_cast<float>(static_cast<double>(w) * factor);
-  result.values.reserve(kept.size() * static_cast<std::size_t>(data.channels));
-  for (int c = 0; c < data.channels; ++c) pick(data.channel(c), result.values);
-  return result;
-}
-
 // Steele, Lea & Flood 2014, "Fast splittable pseudorandom number generators": splitmix64.
 std::uint64_t hash(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15U;
@@ -123,6 +103,25 @@ Result<Data> from_pairs(std::span<const double> wi, std::span<const double> wo,
   return data;
 }
 
+Data pick(const Data& data, std::span<const std::size_t> kept, double factor) {
+  Data result;
+  result.channels = data.channels;
+  result.left_out = data.left_out;
+  const auto copy = [&](std::span<const float> from, std::vector<float>& to) {
+    to.reserve(to.size() + kept.size());
+    for (const std::size_t i : kept) to.push_back(from[i]);
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    copy(data.wi[k], result.wi[k]);
+    copy(data.wo[k], result.wo[k]);
+  }
+  copy(data.weights, result.weights);
+  for (float& w : result.weights) w = static_cast<float>(static_cast<double>(w) * factor);
+  result.values.reserve(kept.size() * static_cast<std::size_t>(data.channels));
+  for (int c = 0; c < data.channels; ++c) copy(data.channel(c), result.values);
+  return result;
+}
+
 Data within(const Data& data, double min_theta, double max_theta) {
   const double most = std::cos(min_theta), least = std::cos(max_theta);
   const bool all_above = min_theta <= 0;  // a float cosine may round to 1
@@ -131,7 +130,7 @@ Data within(const Data& data, double min_theta, double max_theta) {
     const auto cosine = static_cast<double>(std::min(data.wi[2][i], data.wo[2][i]));
     if (cosine >= least && (all_above || cosine < most)) kept.push_back(i);
   }
-  return select(data, kept, 1);
+  return pick(data, kept, 1);
 }
 
 Data subset(const Data& data, std::size_t count, std::uint64_t seed) {
@@ -142,7 +141,7 @@ Data subset(const Data& data, std::size_t count, std::uint64_t seed) {
     const std::size_t begin = run * data.size() / count, end = (run + 1) * data.size() / count;
     kept.push_back(begin + hash(seed + run) % (end - begin));
   }
-  return select(data, kept, static_cast<double>(data.size()) / static_cast<double>(count));
+  return pick(data, kept, static_cast<double>(data.size()) / static_cast<double>(count));
 }
 
 }  // namespace gonio::fit

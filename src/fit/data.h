@@ -67,6 +67,9 @@ Data from_table(const MeasuredTable& table);
 // by. Every cell's part above the horizon counts; all cells together measure 4 pi^2.
 double cell_measure(int theta_h, int theta_d, int phi_d);
 
+// The pairs at `kept`, in that order, their weights times `factor`.
+Data pick(const Data& data, std::span<const std::size_t> kept, double factor);
+
 // The pairs for which min < max(theta_i, theta_o) <= max (radians). `left_out` is that of `data`.
 Data within(const Data& data, double min_theta, double max_theta);
 

@@ -15,7 +15,7 @@ constexpr double kNone = 1e300;  // above every objective
 // Nodes along each axis, fewer where there are many axes.
 std::vector<std::size_t> axis_counts(const Form& form) {
   std::vector<std::size_t> counts;
-  const std::size_t shapes = form.shapes.size(), gentle = shapes > 3 ? 3 : shapes > 2 ? 5 : 6;
+  const std::size_t shapes = form.shapes.size(), gentle = shapes > 3 ? 3 : shapes > 2 ? 5 : 7;
   for (const ShapeParameter& shape : form.shapes)
     counts.push_back(is_width(shape) ? kFinest : gentle);
   const auto total = [&] {

@@ -36,7 +36,7 @@ ShapeParameter shape_of(const Parameter& p, bool dielectric) {
   if (p.name == "eta" && dielectric) {
     shape.scale.offset = 1;
     shape.lower = kLeastEta;
-    shape.scan_lower = 1.05;
+    shape.scan_lower = 1.005;
   } else if (p.name == "eta") {
     shape.scan_lower = 0.1;
     shape.scan_upper = 10;

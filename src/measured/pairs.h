@@ -1,4 +1,4 @@
-// Measured reflectance as gonioreflectometers give it: scattered pairs of directions in text files.
+// Measured reflectance as gonioreflectometers give it: scattered pairs of directions in files.
 //
 // Directions in the local frame of engine/evaluate.h, unit; values in 1/sr, without a cosine. What
 // a file holds is not judged here: values below 0 and directions below the horizon are passed on.
@@ -19,6 +19,9 @@ struct MeasuredPairs {
   int channels = 0;
   std::vector<double> wi, wo;  // xyz of each pair
   std::vector<double> values;  // all channels of the first pair, then of the second
+  // In sr^2, the measure of pairs of directions that each stands for, where a file says; see
+  // solid_angle.h where it does not and this is empty.
+  std::vector<double> weights;
 
   [[nodiscard]] std::size_t size() const { return wi.size() / 3; }
 };
@@ -34,8 +37,15 @@ Result<MeasuredPairs> read_cornell(const std::filesystem::path& file);
 // at the horizon then come back with wo.z = 0. ALTA's conventions: core/params.h there.
 Result<MeasuredPairs> read_alta(const std::filesystem::path& file);
 
+// A file of the RGL material database (.bsdf) of an isotropic material in RGB: the nodes of its
+// grid, without interpolation. Dupuy and Jakob 2018. Those of retro-reflection stand for no solid
+// angle and come with a weight of 0. A colour that sRGB cannot show has a channel below 0: it is
+// raised to 0 where another channel is above.
+Result<MeasuredPairs> read_rgl(const std::filesystem::path& file);
+
 // The same from the text itself; `name` is what errors call it.
 Result<MeasuredPairs> parse_cornell(std::string_view text, const std::string& name);
 Result<MeasuredPairs> parse_alta(std::string_view text, const std::string& name);
+Result<MeasuredPairs> parse_rgl(std::string_view bytes, const std::string& name);
 
 }  // namespace gonio

@@ -21,8 +21,7 @@ Error file_error(ErrorCode code, const std::filesystem::path& file, const std::s
 
 }  // namespace
 
-Result<std::string> read_text_file(const std::filesystem::path& file) {
-  const char* expected = "a text file of measurements";
+Result<std::string> read_text_file(const std::filesystem::path& file, const char* expected) {
   std::error_code problem;
   const auto status = std::filesystem::status(file, problem);
   if (!std::filesystem::exists(status))

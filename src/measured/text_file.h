@@ -14,8 +14,10 @@ namespace gonio {
 // The largest text that is read, in bytes: a hundred times what such files have.
 inline constexpr std::size_t kLongestText = std::size_t{256} << 20;
 
-// All of a file. Errors: not_found, a folder or a pipe, resource_exhausted.
-Result<std::string> read_text_file(const std::filesystem::path& file);
+// All of a file. Errors: not_found, a folder or a pipe, resource_exhausted; `expected` is what they
+// say was wanted.
+Result<std::string> read_text_file(const std::filesystem::path& file,
+                                   const char* expected = "a text file of measurements");
 
 class TextWords {
  public:

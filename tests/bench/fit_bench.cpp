@@ -45,7 +45,7 @@ const std::array kModes{
          print_independence},
     Mode{"time", "CPU time on 20,000 pairs, the best of N, and polished on all", 3, print_times},
     Mode{"noise", "fits of noisy data judged on clean ones", 0, [](int) { return print_noise(); }},
-    Mode{"coverage", "how many of N trials' intervals cover the truth", 100, print_coverage},
+    Mode{"coverage", "how many of N trials' intervals cover the truth", 400, print_coverage},
     Mode{"grazing", "errors by zone of fits of each zone; which lobe is it?", 0,
          [](int) { return print_grazing(); }},
 };

@@ -62,7 +62,8 @@ void print_lobe(const std::string& name, const fit::Data& data, const Zone& zone
 }
 
 fit::Data weighed(const Result<MeasuredPairs>& pairs) {
-  const auto weights = pair_measures(pairs->wi, pairs->wo);
+  const auto weights =
+      pairs->weights.empty() ? pair_measures(pairs->wi, pairs->wo) : pairs->weights;
   return *fit::from_pairs(pairs->wi, pairs->wo, pairs->values, pairs->channels, weights);
 }
 
@@ -91,6 +92,16 @@ bool print_grazing() {
     const auto file = testing::data_folder() / "retro" / (std::string(tape) + ".dat");
     const fit::Data data = weighed(read_alta(file));
     for (const Zone& zone : zones) print_lobe(tape, data, zone);
+  }
+  // The last angle of incidence below 90 degrees is 79 or 80.
+  const std::array wider{Zone{"<= 60", 0, 60.5 * kDegree},
+                         Zone{"60 - 80", 60.5 * kDegree, 80.5 * kDegree},
+                         Zone{"> 80", 80.5 * kDegree, 90 * kDegree}};
+  for (const char* material :
+       {"paper_white", "satin_rosaline", "cc_ibiza_sunset", "cg_sunflower"}) {
+    const auto file = testing::data_folder() / "rgl" / (std::string(material) + "_rgb.bsdf");
+    const fit::Data data = weighed(read_rgl(file));
+    for (const Zone& zone : wider) print_lobe(std::string("rgl/") + material, data, zone);
   }
   return true;
 }

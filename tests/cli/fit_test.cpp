@@ -205,6 +205,18 @@ TEST_F(FitCommand, TakesSpectra) {
   EXPECT_THAT(result.out, AllOf(HasSubstr("1439 pairs"), HasSubstr("(31 channels)")));
 }
 
+TEST_F(FitCommand, TakesFilesOfTheRglDatabase) {
+  const auto file = gonio::testing::data_folder() / "rgl" / "satin_rosaline_rgb.bsdf";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file << ": set GONIO_DATA";
+  const auto result = run("gonio fit --data '" + file.string() + "' --model ggx");
+  EXPECT_EQ(result.exit_code, 0) << result.err << result.out;
+  EXPECT_THAT(result.out, HasSubstr("6780 pairs; left out: 1158 below the horizon"));
+  write_file(folder_ / "cut.bsdf", "tensor_file");
+  const auto cut = run("gonio fit --data $D/cut.bsdf --model ggx");
+  EXPECT_EQ(cut.exit_code, 2);
+  EXPECT_THAT(cut.err, HasSubstr("cut.bsdf: found other first bytes; expected `tensor_file`"));
+}
+
 TEST_F(FitCommand, CompareNamesWhatIsWrong) {
   const auto two = run(
       R"(gonio compare --reference $D/data.csv --deg -m '{"model": "lambertian", "parameters": {"rd": [0.1, 0.2]}}')");

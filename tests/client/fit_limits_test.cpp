@@ -97,7 +97,8 @@ TEST_F(FitLimits, IsRefusedWhereTooManyWait) {
   const auto refused = connect("tcp", impatient).fit(measured.data(), form());
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, ErrorCode::resource_exhausted);
-  EXPECT_THAT(refused.error().message, HasSubstr("queue of fits is full"));
+  EXPECT_THAT(refused.error().message,
+              HasSubstr("queue of fits, assessments and selections is full"));
   stop = true;
   first.join();
   second.join();

@@ -1,0 +1,135 @@
+// What Client::select takes and gives: a reference and what a scene needs in, the cheapest material
+// that is good enough out, with all others that were tried.
+//
+//   SelectScene scene;
+//   scene.bins = {{.theta_i = {0, 1.3}, .theta_o = {0, 1.3}}};
+//   scene.tolerance = 0.05;
+//   auto result = client.select(Material::named("nickel"), scene);
+//   if (result && result->choice) std::puts(result->choice->material->to_json().c_str());
+//
+// Thread safety: plain values.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "client/fit.h"
+#include "client/material.h"
+
+namespace gonio::client {
+
+// The error that the tolerance is of; FitErrors has the formulas. delta_e is CIEDE2000, the mean
+// over the picture of a sphere in which a white diffuser that faces the light is white; of one
+// channel or three, which are linear sRGB.
+enum class SelectMetric : std::uint8_t { l1, rmse, log, cbrt, delta_e };
+
+enum class SelectCost : std::uint8_t {
+  ns,           // time of an evaluation
+  bytes,        // memory that the prepared material holds
+  ns_variance,  // ns times 1 + variance / mean^2 of a sample's weight, for environments
+};
+
+enum class SelectLights : std::uint8_t { directional, environment };
+
+// By their names: "l1", "ns_variance", "environment". Errors name the field, "scene.metric", and
+// what is known.
+Result<SelectMetric> metric_of(std::string_view name);
+Result<SelectCost> cost_of(std::string_view name);
+Result<SelectLights> lights_of(std::string_view name);
+
+struct SelectRange {
+  double lower = 0, upper = 0;  // radians
+};
+
+// Pairs of directions, even per solid angle within the ranges; phi is the angle between the
+// azimuths, pi where wo is on the mirror's side.
+struct SelectBin {
+  SelectRange theta_i, theta_o;
+  SelectRange phi{0, 3.14159265358979323846};
+  double weight = 1;  // how often such pairs occur; of all bins, any unit
+};
+
+struct SelectScene {
+  std::vector<SelectBin> bins;  // one for plain ranges, many for a histogram
+  SelectLights lights = SelectLights::directional;
+  bool anisotropy = true;  // does it matter? Otherwise only isotropic candidates are tried
+  SelectMetric metric = SelectMetric::l1;
+  double tolerance = 0;      // above 0, of the metric
+  double confidence = 0.95;  // that the error is below it
+  SelectCost cost = SelectCost::ns;
+};
+
+// A material, itself the last candidate; or at least 200 measured pairs within the scene's angles.
+using SelectReference = std::variant<Material, FitData>;
+
+struct SelectOptions {
+  bool whole_front = true;  // false: what costs more than the choice is not fitted
+  unsigned lobes = 2;       // at most so many specular ones, 1 or 2
+  // Nanoseconds of parts by name, such as "ggx:schlick"; empty: measured by the server.
+  std::map<std::string, double, std::less<>> costs;
+  // Pairs that candidates are fitted to, compared by and certified by, 100 to 1,000,000 each.
+  unsigned fitted = 4000, validation = 8192, certification = 16384;
+  unsigned starts = 3;     // of each fit, 1 to 100
+  std::uint64_t seed = 1;  // of the choice of pairs, 1 or more
+  // In place of ClientOptions::deadline.
+  std::optional<std::chrono::milliseconds> deadline;
+};
+
+struct SelectProgress {
+  std::string stage;               // "queued", "reference", "candidates"
+  std::string candidate;           // that is being fitted
+  std::uint64_t done = 0, of = 0;  // candidates
+};
+
+// Both are called on the thread that called select().
+struct SelectWatch {
+  std::function<void(const SelectProgress&)> progress;  // several times a second
+  std::function<bool()> stop;  // asked about 20 times a second; true ends it with `cancelled`
+};
+
+// An error by the metric, with one-sided bounds.
+struct SelectError {
+  double value = 0, lower = 0, upper = 0;
+};
+
+struct SelectEntry {
+  std::string name;                  // "lambertian + 2 ggx:schlick"; "reference": itself
+  std::optional<Material> material;  // none for the reference itself
+  std::uint64_t parameters = 0;      // numbers that the fit chose, of all channels
+  double ns = 0;                     // of an evaluation in float32
+  std::uint64_t bytes = 0;
+  double second_moment = 0;  // of a sample's weight; where that is part of the cost
+  double cost = 0;
+  SelectError error;                   // on pairs that it was not fitted to; bounds of 95 % each
+  std::vector<std::string> at_bounds;  // fields of parameters that a bound holds
+  bool on_front = false;               // errs less than all that cost less, by more than chance
+  bool meets = false;                  // its error's bound is below the tolerance
+  std::string remark;                  // why it is not on the front, or not chosen
+};
+
+struct SelectChoice {
+  std::size_t entry = 0;
+  std::optional<Material> material;  // its numbers rounded; none for the reference itself
+  unsigned digits = 0;               // significant decimal ones; 0 where rounding did not do
+  bool needs_float64 = false;        // float32 would miss the tolerance
+  double float32_error = 0;          // what float32 adds at most
+  SelectError error;                 // certified on pairs that had no part in the choice
+  double confidence = 0;             // of its bounds
+  std::uint64_t pairs = 0;           // that certified it
+};
+
+struct Selection {
+  std::vector<SelectEntry> entries;    // by cost
+  std::optional<SelectChoice> choice;  // none: nothing is good enough
+  std::string reason;
+  std::string json;  // all of it, as gonio.v1.SelectResult, its fields named as in the .proto
+};
+
+}  // namespace gonio::client

@@ -1,0 +1,17 @@
+// Selections between the client's types and the wire's messages. Internal to the client library.
+// Thread safety: no state.
+#pragma once
+
+#include "base/result.h"
+#include "client/select.h"
+#include "gonio/v1/select.pb.h"
+
+namespace gonio::client {
+
+// Errors: a material that cannot be read; numbers for which 0 would mean the default.
+Result<gonio::v1::SelectRequest> select_request(const SelectReference& reference,
+                                                const SelectScene& scene,
+                                                const SelectOptions& options);
+Result<Selection> selection_of(const gonio::v1::SelectResult& result);
+
+}  // namespace gonio::client

@@ -1,0 +1,21 @@
+// Measured pairs that come with a request. Thread safety: functions without state.
+#pragma once
+
+#include <cstddef>
+
+#include "base/result.h"
+#include "fit/data.h"
+#include "gonio/v1/fit.pb.h"
+
+namespace gonio {
+
+// Cheap. Error: "pairs.channels".
+Outcome check_pairs(const v1::MeasuredPairs& pairs);
+
+// About what one pair of so many channels costs: the request, its copy in float64 and fit::Data.
+std::size_t bytes_of_pair(std::size_t channels);
+
+// Errors: arrays whose lengths do not agree, as "pairs....".
+Result<fit::Data> data_of(const v1::MeasuredPairs& pairs);
+
+}  // namespace gonio

@@ -1,0 +1,95 @@
+#include "select/candidates.h"
+
+#include "engine/registry.h"
+#include "fit/form.h"
+
+namespace gonio::select {
+namespace {
+
+// One model with one choice of its words.
+struct Variant {
+  std::string name;
+  LobeSpec lobe;
+  Role role;
+};
+
+std::vector<Variant> variants_of(const ModelDescription& model) {
+  const std::string name(model.name);
+  std::vector<Variant> variants{{name, {name, {}}, model.role}};
+  for (const Parameter& p : model.parameters) {
+    if (p.kind != Kind::word) continue;
+    std::vector<Variant> longer;
+    for (const Variant& variant : variants) {
+      for (const std::string_view word : p.words) {
+        longer.push_back(variant);
+        longer.back().name += ":" + std::string(word);
+        longer.back().lobe.parameters[std::string(p.name)] = std::string(word);
+      }
+    }
+    variants = std::move(longer);
+  }
+  return variants;
+}
+
+LobeSpec base() { return {"lambertian", {}}; }
+
+class List {
+ public:
+  List(const Scene& scene, int channels) : scene_(scene), channels_(channels) {}
+
+  // Both with its pairs of numbers held equal and, if it has such pairs, not.
+  void add(const std::string& name, std::vector<std::string> parts, const MaterialSpec& form) {
+    const std::size_t equal = count(form, false), apart = count(form, true);
+    all_.push_back({name, parts, form, false, equal});
+    if (scene_.anisotropy && apart != equal && form.specular.size() < 2)
+      all_.push_back({name + ", anisotropic", std::move(parts), form, true, apart});
+  }
+
+  std::vector<Candidate> take() && { return std::move(all_); }
+
+ private:
+  [[nodiscard]] std::size_t count(const MaterialSpec& form, bool anisotropic) const {
+    return fit::make_form(form, {anisotropic})->parameters(channels_);
+  }
+  const Scene& scene_;
+  int channels_;
+  std::vector<Candidate> all_;
+};
+
+bool has_one_shape(const LobeSpec& lobe) {
+  return fit::make_form({{}, {}, {lobe}}, {false})->shapes.size() == 1;
+}
+
+}  // namespace
+
+std::vector<Candidate> candidates(const Scene& scene, int channels, int lobes) {
+  List list(scene, channels);
+  for (const ModelDescription& model : models()) {
+    if (model.role == Role::measured) continue;
+    for (const auto& [name, lobe, role] : variants_of(model)) {
+      list.add(name, {name}, {lobe, {}, {}});
+      if (role != Role::specular) continue;
+      list.add("lambertian + " + name, {"lambertian", name}, {{}, base(), {lobe}});
+      if (lobes > 1 && has_one_shape(lobe))
+        list.add("lambertian + 2 " + name, {"lambertian", name, name}, {{}, base(), {lobe, lobe}});
+    }
+  }
+  return std::move(list).take();
+}
+
+MaterialSpec with_channels(const MaterialSpec& form, int channels) {
+  MaterialSpec spec = form;
+  const auto widen = [&](LobeSpec& lobe) {
+    for (const Parameter& p : (*find_model(lobe.model))->parameters) {
+      if (p.kind != Kind::colour || !p.used_with.parameter.empty()) continue;
+      lobe.parameters[std::string(p.name)] =
+          std::vector<double>(static_cast<std::size_t>(channels), p.start);
+    }
+  };
+  if (spec.model) widen(*spec.model);
+  if (spec.diffuse) widen(*spec.diffuse);
+  for (LobeSpec& lobe : spec.specular) widen(lobe);
+  return spec;
+}
+
+}  // namespace gonio::select

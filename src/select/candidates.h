@@ -1,0 +1,28 @@
+// The materials that a selection tries: every model of the registry in every combination of its
+// words, alone, over a lambertian base and, where a lobe has one shape, as two lobes over one; the
+// anisotropic ones once with their two numbers held equal and once not.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/material.h"
+#include "select/scene.h"
+
+namespace gonio::select {
+
+struct Candidate {
+  std::string name;                // "lambertian + 2 ggx:schlick", "ward, anisotropic"
+  std::vector<std::string> parts;  // "lambertian", "ggx:schlick", "ggx:schlick"
+  MaterialSpec form;               // models and words, no numbers
+  bool anisotropic = false;
+  std::size_t parameters = 0;  // numbers that a fit chooses, of all channels
+};
+
+// In the order of the registry. `lobes`: at most 1 or 2 specular lobes.
+std::vector<Candidate> candidates(const Scene& scene, int channels, int lobes);
+
+// With colours of so many channels, and otherwise the numbers that its models start from.
+MaterialSpec with_channels(const MaterialSpec& form, int channels);
+
+}  // namespace gonio::select

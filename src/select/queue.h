@@ -1,0 +1,42 @@
+// Candidates by cost, fitted when their turn comes.
+#pragma once
+
+#include <vector>
+
+#include "select/distribution.h"
+#include "select/select.h"
+#include "select/walk.h"
+
+namespace gonio::select {
+
+struct Task {
+  const Scene& scene;
+  const Distribution& distribution;
+  const Sets& sets;
+  const Options& options;
+};
+
+class Queue {
+ public:
+  Queue(const Task& task, const Blocks& validation) : task_(task), validation_(validation) {}
+
+  // All candidates and, if it is a material, the reference, by cost. Where a cost depends on what
+  // is fitted, that is done here. Errors: prices; cancelled.
+  Outcome fill(const Material* reference);
+
+  // From the cheapest up; those of one price go by their errors.
+  Outcome walk(Walk& walk);
+
+ private:
+  void add_reference(const Material& reference);
+  Outcome set_prices();
+  Outcome fit_one(Tried& tried);
+  [[nodiscard]] double cost_of(const Entry& entry) const;
+
+  const Task& task_;
+  const Blocks& validation_;
+  std::vector<Tried> waiting_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace gonio::select

@@ -1,0 +1,13 @@
+// A material's numbers as a person would write them.
+#pragma once
+
+#include "engine/material.h"
+
+namespace gonio::select {
+
+inline constexpr int kFewestDigits = 2, kMostDigits = 9;
+
+// Every number to so many significant decimal digits, within the bounds of its model's table.
+MaterialSpec rounded(const MaterialSpec& spec, int digits);
+
+}  // namespace gonio::select

@@ -1,0 +1,99 @@
+// Chooses the cheapest material that is good enough for what a scene looks at, and says why.
+//
+//   select::Scene scene;
+//   scene.bins = {{.theta_i = {0, 1.3}, .theta_o = {0, 1.3}}};
+//   scene.tolerance = 0.05;
+//   auto result = select::choose(data, scene, {});   // result->choice->material
+//
+// How: the reference becomes three disjoint sets of pairs, drawn from or weighed by the scene's
+// distribution (reference.h). Each candidate (candidates.h) is fitted to the first. From the
+// cheapest up, and of equal costs from the fewest parameters up, the second set decides
+//
+//   - who is on the front: who errs less than all cheaper ones by more than chance. The difference
+//     of two errors over the same pairs, with the standard error of a jackknife over blocks of
+//     pairs, must be below 0 with 99 % confidence; a parameter, a lobe or an anisotropy that adds
+//     nothing leaves its candidate behind the simpler one.
+//   - who is worth trying: whose error's upper bound (95 %) is below the tolerance.
+//
+// The first of these is rounded to as few digits as cost no more than a hundredth of the tolerance,
+// and certified on the third set: it is chosen if the upper bound of its error is below the
+// tolerance. The n-th candidate that is tried gets the 2^-n-th part of 1 - confidence, so that with
+// all of them together a choice misses the tolerance no more often than that.
+//
+// Errors are against the reference as it is, its noise included. The same input and seed give the
+// same choice, but for costs that are measured. Thread safety: runs on the thread that calls it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/material.h"
+#include "fit/data.h"
+#include "select/cost.h"
+#include "select/error.h"
+#include "select/reference.h"
+#include "select/scene.h"
+
+namespace gonio::select {
+
+struct Options {
+  bool whole_front = true;  // false: candidates above the choice's cost are not fitted
+  int lobes = 2;            // at most so many specular lobes: 1 or 2
+  CostTable costs;          // ns of parts; empty: measured here
+  SetSizes sizes;
+  std::size_t starts = 3;  // of each fit, as fit::Options has them
+  std::uint64_t seed = 1;
+  std::function<void(const std::string& name, std::size_t done, std::size_t of)> progress;
+  std::function<bool()> stop;  // asked often; true ends all with `cancelled`
+};
+
+struct Entry {
+  std::string name;       // as Candidate's, or "reference"
+  MaterialSpec material;  // as fitted; empty for the reference itself
+  std::size_t parameters = 0;
+  double ns = 0;  // an evaluation in float32
+  std::size_t bytes = 0;
+  double second_moment = 0;  // relative, of a sample's weight; only where it is part of the cost
+  double cost = 0;           // by the scene's kind
+  Bounded error;             // on the second set, bounds of 95 % each
+  std::vector<std::string> at_bounds;  // fields of parameters that a bound holds
+  bool on_front = false;
+  bool meets = false;  // its bound is below the tolerance
+  std::string remark;  // why it is not on the front, or not chosen
+};
+
+struct Choice {
+  std::size_t entry = 0;
+  MaterialSpec material;                  // rounded; empty for the reference itself
+  int digits = 0;                         // significant ones, decimal; 0 where rounding did not do
+  Precision precision = Precision::fast;  // float64 only where float32 would miss the tolerance
+  double float32_error = 0;               // what it adds at most, by the metric
+  Bounded error;                          // certified: on the third set
+  double confidence = 0;                  // of the bound, after sharing
+  std::size_t pairs = 0;                  // of the third set
+};
+
+struct Selection {
+  std::vector<Entry>
+      entries;  // by cost; without whole_front, those up to the choice and the reference
+  std::optional<Choice> choice;
+  std::string reason;
+};
+
+// Whether a choice's or an entry's material says something: that of the reference itself does not.
+bool has_model(const MaterialSpec& material);
+
+// Are they options? Errors name "options....".
+Outcome check(const Options& options);
+// About what a selection from a reference of so many channels holds, in bytes.
+std::size_t memory_of(int channels, const Options& options);
+
+// Errors: invalid_argument naming "scene...", "options..." or "reference" (too few usable pairs in
+// the scene, nothing that reflects); cancelled. That nothing is good enough is no error.
+Result<Selection> choose(const fit::Data& reference, const Scene& scene, const Options& options);
+// The reference itself is the last candidate.
+Result<Selection> choose(const Material& reference, const Scene& scene, const Options& options);
+
+}  // namespace gonio::select

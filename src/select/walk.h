@@ -1,0 +1,43 @@
+// The walk from the cheapest candidate up: who is on the front, and who is chosen.
+#pragma once
+
+#include "select/select.h"
+
+namespace gonio::select {
+
+// A candidate with what deciding needs.
+struct Tried {
+  Entry entry;
+  MaterialSpec form;
+  std::vector<std::string> parts;
+  bool anisotropic = false;
+  std::optional<Material> material;
+  std::vector<Ratio> errors;  // on the second set, by block
+};
+
+class Walk {
+ public:
+  Walk(const Scene& scene, const Sets& sets);
+
+  [[nodiscard]] const Blocks& validation() const { return validation_; }
+  // The next one; `tried` has been fitted.
+  void take(Tried tried);
+  [[nodiscard]] bool has_choice() const { return selection_.choice.has_value(); }
+  Selection finish() &&;
+
+ private:
+  void place_on_front(Tried& tried);
+  void certify(Tried& tried, std::size_t index);
+  [[nodiscard]] Choice rounded_choice(const Tried& tried, std::size_t index) const;
+
+  const Scene& scene_;
+  const Sets& sets_;
+  Blocks validation_, certification_;
+  Selection selection_;
+  std::vector<Ratio> best_;  // of the front's last
+  std::string best_name_;
+  std::optional<Tried> nearest_;  // of those before the choice, the one with the least error
+  std::size_t attempts_ = 0;
+};
+
+}  // namespace gonio::select

@@ -1,0 +1,299 @@
+// Files of the RGL material database: a made one of a known reflectance, what is wrong with others,
+// and real ones.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <numbers>
+#include <random>
+
+#include "data_folder.h"
+#include "measured/bilinear_density.h"
+#include "measured/pairs.h"
+#include "measured/temp_folder.h"
+
+namespace gonio::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kPi = std::numbers::pi;
+
+// A tensor file, put together by hand.
+class Maker {
+ public:
+  void add(const std::string& name, std::uint8_t type, const std::vector<std::uint64_t>& shape,
+           const void* data, std::size_t bytes) {
+    fields_.push_back({name, type, shape, std::string(static_cast<const char*>(data), bytes)});
+  }
+  void add(const std::string& name, const std::vector<std::uint64_t>& shape,
+           const std::vector<float>& values) {
+    add(name, 10, shape, values.data(), values.size() * sizeof(float));
+  }
+
+  [[nodiscard]] std::string bytes() const {
+    std::string head("tensor_file\0\1\0", 14), body;
+    put(head, static_cast<std::uint32_t>(fields_.size()));
+    std::size_t length = head.size();
+    for (const Field& f : fields_) length += 13 + f.name.size() + 8 * f.shape.size();
+    for (const Field& f : fields_) {
+      put(head, static_cast<std::uint16_t>(f.name.size()));
+      head += f.name;
+      put(head, static_cast<std::uint16_t>(f.shape.size()));
+      put(head, f.type);
+      put(head, static_cast<std::uint64_t>(length + body.size()));
+      for (const std::uint64_t size : f.shape) put(head, size);
+      body += f.data;
+    }
+    return head + body;
+  }
+
+ private:
+  struct Field {
+    std::string name;
+    std::uint8_t type;
+    std::vector<std::uint64_t> shape;
+    std::string data;
+  };
+
+  template <class T>
+  static void put(std::string& to, T number) {
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, &number, sizeof(T));
+    to.append(bytes, sizeof(T));
+  }
+
+  std::vector<Field> fields_;
+};
+
+// What the made file shows: not constant, and not the same in all channels.
+double reflectance(double cos_theta_o, int channel) {
+  return 0.1 * (channel + 1) + 0.3 * cos_theta_o;
+}
+
+struct MadeOf {
+  std::vector<float> theta{0.2F, 0.7F, 1.1F};
+  float normals = 2;  // of all nodes: the map bends nothing
+  std::uint64_t channels = 3;
+  std::uint8_t jacobian = 1;
+};
+
+constexpr std::uint64_t kSide = 64;
+
+// Written from the paper's definition of what is stored: f cos(theta_o) 4 sigma / D.
+std::string made(const MadeOf& of = {}) {
+  const float ndf = 0.5F, sigma = 0.8F;
+  std::vector<float> rgb;
+  for (const float theta : of.theta) {
+    for (std::uint64_t c = 0; c < of.channels; ++c) {
+      for (std::uint64_t node = 0; node < kSide * kSide; ++node) {
+        const double u = static_cast<double>(node % kSide) / (kSide - 1);
+        const double v = static_cast<double>(node / kSide) / (kSide - 1);
+        const double theta_m = u * u * kPi / 2, phi_m = (2 * v - 1) * kPi, t = theta;
+        const double cosine =
+            std::sin(t) * std::sin(theta_m) * std::cos(phi_m) + std::cos(t) * std::cos(theta_m);
+        const double z = 2 * cosine * std::cos(theta_m) - std::cos(t);
+        rgb.push_back(
+            static_cast<float>(reflectance(z, static_cast<int>(c)) * z * 4 * sigma / ndf));
+      }
+    }
+  }
+  Maker maker;
+  const auto angles = static_cast<std::uint64_t>(of.theta.size());
+  maker.add("description", 1, {4}, "made", 4);
+  maker.add("phi_i", {1}, {0});
+  maker.add("theta_i", {angles}, of.theta);
+  maker.add("ndf", {2, 8}, std::vector<float>(16, ndf));
+  maker.add("sigma", {2, 8}, std::vector<float>(16, sigma));
+  maker.add("vndf", {1, angles, 4, 4}, std::vector<float>(16 * angles, of.normals));
+  maker.add("rgb", {1, angles, of.channels, kSide, kSide}, rgb);
+  maker.add("jacobian", 1, {1}, &of.jacobian, 1);
+  return maker.bytes();
+}
+
+std::string error_of(const std::string& bytes) {
+  const auto pairs = parse_rgl(bytes, "film");
+  return pairs ? "no error" : pairs.error().message;
+}
+
+TEST(Rgl, GivesBackWhatWasStored) {
+  const auto pairs = parse_rgl(made(), "film");
+  ASSERT_TRUE(pairs.ok()) << pairs.error().message;
+  EXPECT_EQ(pairs->channels, 3);
+  ASSERT_EQ(pairs->size(), 3 * kSide * kSide);
+  std::size_t above = 0;
+  for (std::size_t i = 0; i < pairs->size(); ++i) {
+    const double* wo = &pairs->wo[3 * i];
+    EXPECT_NEAR(wo[0] * wo[0] + wo[1] * wo[1] + wo[2] * wo[2], 1, 1e-12);
+    if (wo[2] < 0.01) continue;
+    ++above;
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(pairs->values[3 * i + static_cast<std::size_t>(c)], reflectance(wo[2], c), 1e-5);
+  }
+  EXPECT_GT(above, pairs->size() / 2);
+}
+
+// All pairs measure 4 pi^2; those of one angle the part of incidence half way to the next.
+TEST(Rgl, WeighsByTheMeasureOfPairs) {
+  const auto pairs = parse_rgl(made(), "film");
+  ASSERT_TRUE(pairs.ok());
+  double sum = 0, lit = 0;
+  for (std::size_t i = 0; i < pairs->size(); ++i) {
+    sum += pairs->weights[i];
+    lit += pairs->weights[i] * pairs->wo[3 * i + 2];
+  }
+  EXPECT_NEAR(sum, 4 * kPi * kPi, 0.01 * 4 * kPi * kPi);
+  EXPECT_NEAR(lit, 2 * kPi * kPi, 0.01 * 2 * kPi * kPi);
+}
+
+TEST(Rgl, ColoursOutsideOfSrgbAreCutNotLost) {
+  Maker maker;
+  maker.add("phi_i", {1}, {0});
+  maker.add("theta_i", {1}, {0.1F});
+  maker.add("ndf", {2, 2}, std::vector<float>(4, 1));
+  maker.add("sigma", {2, 2}, std::vector<float>(4, 1));
+  maker.add("vndf", {1, 1, 2, 2}, std::vector<float>(4, 1));
+  std::vector<float> rgb(27, 1);
+  std::fill(rgb.begin() + 18, rgb.end(), -0.5F);  // blue
+  rgb[4] = rgb[13] = -0.1F;                       // and the middle's other channels
+  maker.add("rgb", {1, 1, 3, 3, 3}, rgb);
+  const std::uint8_t jacobian = 0;
+  maker.add("jacobian", 1, {1}, &jacobian, 1);
+  const auto pairs = parse_rgl(maker.bytes(), "film");
+  ASSERT_TRUE(pairs.ok()) << pairs.error().message;
+  EXPECT_NEAR(pairs->values[9] * pairs->wo[11], 1, 1e-12);
+  EXPECT_EQ(pairs->values[11], 0);
+  EXPECT_LT(pairs->values[12], 0);
+  EXPECT_LT(pairs->values[14], 0);
+}
+
+TEST(Rgl, SaysWhatIsWrong) {
+  const std::string good = made();
+  EXPECT_THAT(error_of("tensor_file"), HasSubstr("film: found other first bytes"));
+  EXPECT_THAT(error_of(good.substr(0, 40)), HasSubstr("its end within the list of fields"));
+  EXPECT_THAT(error_of(good.substr(0, good.size() - 2)), HasSubstr("beyond the file's end"));
+  const auto renamed = [&](const std::string& field, const std::string& to) {
+    std::string bytes = good;
+    return error_of(bytes.replace(bytes.find(field), field.size(), to));
+  };
+  EXPECT_THAT(renamed("theta_i", "gamma_i"), HasSubstr("no field 'theta_i'"));
+  EXPECT_THAT(renamed("rgb", "RGB"), HasSubstr("no field 'rgb'"));
+  MadeOf of;
+  of.theta = {0.7F, 0.2F};
+  EXPECT_THAT(error_of(made(of)), HasSubstr("'theta_i' that do not rise"));
+  of = {};
+  of.channels = 4;
+  EXPECT_THAT(error_of(made(of)), HasSubstr("4 channels"));
+  of = {};
+  of.normals = -1;
+  EXPECT_THAT(error_of(made(of)), HasSubstr("a density that is negative"));
+  const TempFolder folder;
+  EXPECT_EQ(read_rgl(folder / "none").error().code, ErrorCode::not_found);
+}
+
+// Whatever stands in a file: an answer with whole pairs, or an error with a message.
+TEST(Rgl, SurvivesAnything) {
+  const std::string good = made();
+  std::mt19937 random(1);
+  for (int round = 0; round < 300; ++round) {
+    std::string bytes = good;
+    // The list of fields, and now and then the numbers.
+    const std::size_t reach = round % 4 == 0 ? bytes.size() : 330;
+    for (int i = 0; i < 3; ++i) bytes[random() % reach] = static_cast<char>(random());
+    if (round % 3 == 0) bytes.resize(random() % bytes.size());
+    const auto pairs = parse_rgl(bytes, "film");
+    if (!pairs) {
+      EXPECT_FALSE(pairs.error().message.empty());
+      continue;
+    }
+    EXPECT_EQ(pairs->wi.size(), pairs->wo.size());
+    EXPECT_EQ(pairs->values.size(), 3 * pairs->size());
+    EXPECT_EQ(pairs->weights.size(), pairs->size());
+  }
+}
+
+// The part of the density's integral left of and below a place is what was asked for.
+TEST(BilinearDensity, DrawsByItsOwnIntegral) {
+  const std::vector<float> nodes{0, 1, 4, 2, 0, 3, 5, 0, 0};
+  const BilinearDensity density(nodes, 3, 3);
+  const auto value = [&](double u, double v) {
+    const auto at = [&](double x, double y) {
+      return static_cast<double>(nodes[static_cast<std::size_t>(3 * y + x)]);
+    };
+    const double x = std::min(std::floor(2 * u), 1.0), y = std::min(std::floor(2 * v), 1.0);
+    const double a = 2 * u - x, b = 2 * v - y;
+    return (1 - b) * ((1 - a) * at(x, y) + a * at(x + 1, y)) +
+           b * ((1 - a) * at(x, y + 1) + a * at(x + 1, y + 1));
+  };
+  constexpr int kSteps = 400;
+  double whole = 0;
+  for (int i = 0; i < kSteps * kSteps; ++i)
+    whole += value((i % kSteps + 0.5) / kSteps, (i / kSteps + 0.5) / kSteps) / kSteps / kSteps;
+  for (const double t : {0.0, 0.1, 0.5, 0.77, 1.0}) {
+    for (const double s : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+      const auto place = density.at(s, t);
+      EXPECT_NEAR(place.density, value(place.u, place.v) / whole, 1e-4);
+      double rows = 0, left = 0, row = 0;
+      for (int i = 0; i < kSteps * kSteps; ++i)
+        rows += place.v * value((i % kSteps + 0.5) / kSteps, place.v * (i / kSteps + 0.5) / kSteps);
+      for (int i = 0; i < kSteps; ++i) {
+        left += place.u * value(place.u * (i + 0.5) / kSteps, place.v);
+        row += value((i + 0.5) / kSteps, place.v);
+      }
+      EXPECT_NEAR(rows / kSteps / kSteps / whole, t, 1e-4);
+      EXPECT_NEAR(left / row, s, 1e-3);
+    }
+  }
+}
+
+TEST(BilinearDensity, OfNothingIsNothing) {
+  const std::vector<float> nodes(4, 0);
+  EXPECT_EQ(BilinearDensity(nodes, 2, 2).at(0.5, 0.5).density, 0);
+}
+
+// Paper is nearly the same from everywhere, and what one angle of incidence says of another angle's
+// direction the other says, too: two cosines and two Jacobians agree.
+TEST(MeasuredFiles, RglPaperIsReciprocal) {
+  const auto file = data_folder() / "rgl" / "paper_white_rgb.bsdf";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file << ": set GONIO_DATA";
+  const auto pairs = read_rgl(file);
+  ASSERT_TRUE(pairs.ok()) << pairs.error().message;
+  // The place of incidence theta, and of the node nearest to a direction.
+  const auto nearest = [&](double cos_theta_i, double x, double y, double z, double& chord) {
+    std::size_t best = 0;
+    chord = 4;
+    for (std::size_t i = 0; i < pairs->size(); ++i) {
+      if (std::abs(pairs->wi[3 * i + 2] - cos_theta_i) > 1e-9) continue;
+      const double *w = &pairs->wo[3 * i], dx = w[0] - x, dy = w[1] - y, dz = w[2] - z;
+      const double d = dx * dx + dy * dy + dz * dz;
+      if (d < chord) chord = d, best = i;
+    }
+    return best;
+  };
+  std::map<double, bool> incidences;
+  for (std::size_t i = 0; i < pairs->size(); ++i) incidences[pairs->wi[3 * i + 2]];
+  int compared = 0;
+  for (std::size_t i = 0; i < pairs->size(); i += 7) {
+    const double *wi = &pairs->wi[3 * i], *wo = &pairs->wo[3 * i];
+    for (const auto& [cosine, unused] : incidences) {
+      if (std::abs(wo[2] - cosine) > 0.01 || cosine < 0.3 || wi[2] < 0.3) continue;
+      // The pair turned until wo lies where that incidence has its light.
+      const double length = std::hypot(wo[0], wo[1]);
+      const double c = length > 0 ? wo[0] / length : 1, s = length > 0 ? wo[1] / length : 0;
+      double chord = 0;
+      const std::size_t other =
+          nearest(cosine, c * wi[0] + s * wi[1], c * wi[1] - s * wi[0], wi[2], chord);
+      if (chord > 1e-3) continue;
+      EXPECT_NEAR(pairs->values[3 * other + 1], pairs->values[3 * i + 1],
+                  0.06 * pairs->values[3 * i + 1]);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 30);
+  EXPECT_NEAR(pairs->values[3 * 100 + 1], 0.28, 0.02);
+}
+
+}  // namespace
+}  // namespace gonio::testing
