@@ -101,7 +101,8 @@ struct FresnelErrors {
 FresnelErrors errors_of(const Material& material, const Truth& truth) {
   FresnelErrors errors;
   double weights = 0;
-  for (double degrees = 0; degrees <= 89; degrees += 0.5) {
+  for (int half = 0; half <= 2 * 89; ++half) {
+    const double degrees = 0.5 * half;
     const double weight = std::sin(2 * degrees * kDegree);
     for (const double ratio : ratios(material, truth, degrees)) {
       const double error = std::abs(ratio - 1);
@@ -178,10 +179,11 @@ Table chart_fresnel_angles() {
   for (const Substance& substance : substances()) {
     const Truth truth(exact(substance));
     const Material material = schlick(substance);
-    for (double degrees = 0; degrees <= 89; degrees += 1) {
+    for (int degrees = 0; degrees <= 89; ++degrees) {
       const auto ratio = ratios(material, truth, degrees);
       for (std::size_t c = 0; c < ratio.size(); ++c) {
-        table.rows.push_back({substance.name, static_cast<double>(c), degrees, ratio[c] - 1});
+        table.rows.push_back(
+            {substance.name, static_cast<double>(c), static_cast<double>(degrees), ratio[c] - 1});
       }
     }
   }
