@@ -115,8 +115,8 @@ echo
   --slices "$results/fit_slices.png" --render "$results/fit_spheres.png"
 echo "all that is known of the fits: $results/fit.md; the best beside what is measured: $results/fit_slices.png, $results/fit_spheres.png"
 
-step "8. Chart speed against accuracy on this machine"
-"$bin/gonio" chart --quick -o "$results/chart" --data "$results/$measured.binary"
+step "8. Chart speed against accuracy, on the server"
+"$bin/gonio" chart --quick -o "$results/chart" --data "$measured"
 
 step "9. What was done"
 cat "$table"

@@ -134,7 +134,7 @@ TEST(ChartCommand, BadInputIsRefusedBeforeTheWork) {
       {"-o " + out + " --parts models,nothing", "nothing"},
       {"-o " + out + " --data " + bad, bad},
       {"-o " + out + " --data /nowhere.binary", "/nowhere.binary"},
-      {"-o " + out + " --parts resolution --data " + pairs, "which holds scattered pairs"}};
+      {"-o " + out + " --parts resolution --data " + pairs, "resolution, of scattered pairs"}};
   for (const auto& [arguments, words] : cases) {
     const auto result = shell("gonio chart " + arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;

@@ -16,9 +16,10 @@ void add_chart_options(CLI::App& command, ChartArguments& arguments) {
       ->type_name("DIR")
       ->required();
   command
-      .add_option("--data", arguments.data,
-                  "A measured material for fits and resolution, as 'gonio fit' reads it; without "
-                  "one, a glossy paint is made up")
+      .add_option(
+          "--data", arguments.data,
+          "A measured material for fits and resolution: a file as 'gonio fit' reads it, or the "
+          "name of a server's; without one, a glossy paint is made up")
       ->type_name("FILE");
   command.add_flag("--deg", arguments.degrees, "A CSV's angles are in degrees, not radians");
   command.add_option("--parts", arguments.parts, "Only these, separated by commas")
@@ -26,6 +27,7 @@ void add_chart_options(CLI::App& command, ChartArguments& arguments) {
       ->delimiter(',')
       ->check(
           CLI::IsMember({"models", "fits", "approximations", "wire", "sampling", "resolution"}));
+  add_connection_options(command, arguments.connection);
   command.add_flag("--quick", arguments.quick, "Fewer and shorter repetitions: rough times");
   command.add_flag("--quiet,-q", arguments.quiet, "No progress bar, and do not list the files");
 }

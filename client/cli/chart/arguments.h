@@ -4,13 +4,12 @@
 #include <string>
 #include <vector>
 
-namespace CLI {  // NOLINT(readability-identifier-naming): theirs
-class App;
-}
+#include "client/cli/connection.h"
 
 namespace gonio::cli {
 
 struct ChartArguments {
+  ConnectionOptions connection;
   std::string folder;
   std::string data;  // empty: generated
   bool degrees = false;

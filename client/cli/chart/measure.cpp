@@ -2,23 +2,20 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <utility>
 
-#include "chart/chart.h"
-#include "chart/example.h"
+#include "chart/parts.h"
 #include "client/cli/chart/wire.h"
 #include "client/cli/comparison.h"
 #include "client/cli/progress.h"
-#include "engine/material_impl.h"
-#include "server/server.h"
 
 namespace gonio::cli {
 namespace {
 
-constexpr const char* kGenerated = "a generated paint";
+namespace fs = std::filesystem;
 
 chart::Options options_of(const ChartArguments& arguments) {
   chart::Options options;
@@ -29,82 +26,114 @@ chart::Options options_of(const ChartArguments& arguments) {
   return options;
 }
 
-Result<chart::Measured> read_measured_material(const ChartArguments& arguments) {
-  if (arguments.data.empty()) {
-    auto table = chart::example_table(1);
-    return chart::Measured{kGenerated, fit::from_table(*table), table};
+// What the core measures of them; the types on the wire belong to its part.
+std::vector<std::string> core_parts(const ChartArguments& arguments) {
+  std::vector<std::string> parts;
+  for (const chart::Part& part : chart::all_parts()) {
+    const std::string name(part.name == "directions" ? "wire" : part.name);
+    if (arguments.wants(name)) parts.emplace_back(part.name);
   }
-  return read_chart_data(arguments.data, arguments.degrees);
-}
-
-// A server of this process on a socket, as near to a server on this machine as can be.
-Result<chart::Table> measure_wire(const chart::Options& options) {
-  const std::string address = "unix:" + (std::filesystem::temp_directory_path() /
-                                         ("gonio-chart-" + std::to_string(::getpid())))
-                                            .string();
-  ServerOptions server_options;
-  server_options.addresses = {address};
-  const auto server = Server::start(server_options);
-  if (!server) return server.error();
-  return chart_wire(
-      [&](const client::ClientOptions& client) { return client::Client::connect(address, client); },
-      "a UNIX socket", options);
-}
-
-// A part's tables, by its name on the command line.
-struct Part {
-  const char* name;
-  std::vector<std::function<Result<chart::Table>(const chart::Options&)>> tables;
-};
-
-std::vector<Part> all_parts(const std::optional<chart::Measured>& measured) {
-  const auto angles = [](const chart::Options&) -> Result<chart::Table> {
-    return chart::chart_fresnel_angles();
-  };
-  std::vector<Part> parts{{"models", {chart::chart_models}},
-                          {"approximations", {chart::chart_fresnel, angles, chart::chart_printed}},
-                          {"wire", {measure_wire, chart::chart_directions}},
-                          {"sampling", {chart::chart_sampling}}};
-  if (!measured) return parts;
-  parts.push_back({"fits", {[&measured](const chart::Options& options) {
-                     return chart::chart_fits(*measured, options);
-                   }}});
-  if (measured->table == nullptr) return parts;
-  parts.push_back({"resolution", {[&measured](const chart::Options& options) {
-                     return chart::chart_resolution(*measured, options);
-                   }}});
   return parts;
+}
+
+// Resolution that is not asked for by name is left out where there is no table.
+void leave_out_resolution(const ChartArguments& arguments, std::vector<std::string>& parts) {
+  if (arguments.parts.empty()) std::erase(parts, "resolution");
+}
+
+Outcome measure_here(const ChartArguments& arguments, Progress& progress, Chart& chart) {
+  chart::Wanted wanted{core_parts(arguments), std::nullopt};
+  if (!arguments.data.empty() && chart::needs_material(wanted.parts)) {
+    auto measured = read_chart_data(arguments.data, arguments.degrees);
+    if (!measured) return measured.error();
+    if (measured->table == nullptr) leave_out_resolution(arguments, wanted.parts);
+    wanted.measured.emplace(std::move(*measured));
+  }
+  auto tables = chart::measure(
+      wanted, options_of(arguments),
+      [&](std::string_view part, double done) { progress.show(done, std::string(part)); });
+  if (!tables) return tables.error();
+  chart.machine = chart::this_machine();
+  chart.tables = std::move(*tables);
+  return Ok{};
+}
+
+chart::Table table_of(const client::ChartTable& from) {
+  chart::Table to{from.name, from.title, {}, from.rows};
+  for (const auto& column : from.columns)
+    to.columns.push_back({column.name, column.unit, column.meaning});
+  return to;
+}
+
+Outcome measure_there(const client::Client& client, const ChartArguments& arguments,
+                      Progress& progress, Chart& chart) {
+  const chart::Options wanted = options_of(arguments);
+  client::ChartOptions options;
+  options.parts = core_parts(arguments);
+  options.repetitions = static_cast<unsigned>(wanted.effort.repetitions);
+  options.seconds = wanted.effort.seconds;
+  options.pairs_at_a_place = static_cast<unsigned>(wanted.pairs);
+  std::optional<MeasuredInput> input;
+  if (!arguments.data.empty() && chart::needs_material(options.parts)) {
+    auto read = read_data(arguments.data, false, arguments.degrees);
+    if (!read) return read.error();
+    input.emplace(std::move(*read));
+    if (!input->measured) leave_out_resolution(arguments, options.parts);
+    options.data = input->data();
+  }
+  client::ChartWatch watch;
+  watch.progress = [&](const client::ChartProgress& at) { progress.show(at.done, at.stage); };
+  const auto measured = client.chart(options, watch);
+  if (!measured) return measured.error();
+  const client::ChartMachine& machine = measured->machine;
+  chart.machine = {machine.processor, machine.cores,    machine.instruction_sets,
+                   machine.gonio,     machine.compiler, machine.system};
+  for (const auto& table : measured->tables) chart.tables.push_back(table_of(table));
+  return Ok{};
+}
+
+// Without a server's address, one of this process on a socket, as near to one on this machine as
+// can be.
+Result<chart::Table> measure_wire(const ChartArguments& arguments) {
+  ConnectionOptions connection = arguments.connection;
+  std::unique_ptr<Server> own;
+  if (connection.server.empty()) {
+    const std::string name = "gonio-chart-" + std::to_string(::getpid());
+    connection.server = "unix:" + (fs::temp_directory_path() / name).string();
+    ServerOptions options;
+    options.threads = connection.threads;
+    options.addresses = {connection.server};
+    auto started = Server::start(options);
+    if (!started) return started.error();
+    own = std::move(*started);
+  }
+  return chart_wire(
+      [&](const client::ClientOptions& options) {
+        return client::Client::connect(connection.server, options);
+      },
+      own ? "a UNIX socket" : connection.server, options_of(arguments));
 }
 
 }  // namespace
 
 Result<Chart> measure(const ChartArguments& arguments) {
-  std::optional<chart::Measured> measured;
-  if (arguments.wants("fits") || arguments.wants("resolution")) {
-    auto found = read_measured_material(arguments);
-    if (!found) return found.error();
-    measured.emplace(std::move(*found));
-    if (measured->table == nullptr && !arguments.parts.empty() && arguments.wants("resolution")) {
-      return bad_value("--data", "\"" + arguments.data + "\", which holds scattered pairs",
-                       "a MERL .binary file for the part resolution");
-    }
-  }
-  chart::Options options = options_of(arguments);
-  Chart chart{chart::this_machine(), options.effort, measured ? measured->name : "", {}};
+  Chart chart;
+  chart.effort = options_of(arguments).effort;
+  chart.material = arguments.data;
   Progress progress(!arguments.quiet, "parts");
-  const std::vector<Part> parts = all_parts(measured);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (!arguments.wants(parts[i].name)) continue;
-    options.progress = [&progress, &parts, i](double done) {
-      progress.show((static_cast<double>(i) + done) / static_cast<double>(parts.size()),
-                    parts[i].name);
-    };
-    for (const auto& make : parts[i].tables) {
-      auto table = make(options);
-      if (!table) return table.error();
-      chart.tables.push_back(std::move(*table));
-    }
+  if (arguments.connection.server.empty()) {
+    if (auto done = measure_here(arguments, progress, chart); !done) return done.error();
+  } else {
+    auto connection = Connection::open(arguments.connection);
+    if (!connection) return connection.error();
+    if (auto done = measure_there(connection->client, arguments, progress, chart); !done)
+      return done.error();
   }
+  if (!arguments.wants("wire")) return chart;
+  progress.show(1, "wire");
+  auto wire = measure_wire(arguments);
+  if (!wire) return wire.error();
+  chart.tables.push_back(std::move(*wire));
   return chart;
 }
 
