@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -53,9 +54,17 @@ ChartCell cell_of(const v1::ChartCell& from) {
   return from.number();
 }
 
-// Errors: a row that is not as wide as its table, or has a word for a number.
+// Names become names of files.
+bool is_plain(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+// Errors: a name that is none, a row that is not as wide as its table, or has a word for a number.
 Result<ChartTable> table_of(const v1::ChartTable& from, const Peer& peer) {
   ChartTable to{from.name(), from.title(), {}, {}};
+  if (!is_plain(to.name)) return malformed(peer, "a table's name is not of letters and digits");
   for (const auto& column : from.columns())
     to.columns.push_back({column.name(), column.unit(), column.meaning()});
   for (const auto& row : from.rows()) {

@@ -57,7 +57,7 @@ struct ChartColumn {
 // "front" marks what no other one beats.
 using ChartCell = std::variant<std::string, double>;
 struct ChartTable {
-  std::string name, title;
+  std::string name, title;  // the name is of small letters, digits and '_'
   std::vector<ChartColumn> columns;
   std::vector<std::vector<ChartCell>> rows;
 };

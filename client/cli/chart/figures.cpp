@@ -1,30 +1,67 @@
 #include "client/cli/chart/figures.h"
 
 #include <algorithm>
-#include <array>
 
 #include "chart/front.h"
 
 namespace gonio::cli {
 namespace {
 
+// What is drawn of a table, and the columns that this takes: a server may be of another version.
 struct Drawn {
   std::string_view table;
   Figure (*figure)(const chart::Table&);
+  std::vector<std::string_view> words, numbers;
 };
-constexpr std::array kDrawn{
-    Drawn{"models", models_figure},         Drawn{"fits", fits_figure},
-    Drawn{"fresnel", fresnel_figure},       Drawn{"fresnel_angles", fresnel_angles_figure},
-    Drawn{"printed", printed_figure},       Drawn{"wire", wire_figure},
-    Drawn{"directions", directions_figure}, Drawn{"sampling", sampling_figure},
-    Drawn{"resolution", resolution_figure}};
+
+const std::vector<Drawn>& all_drawn() {
+  static const std::vector<Drawn> kAll{
+      {"models",
+       models_figure,
+       {"model", "precision", "instruction_set"},
+       {"ns", "ns_upper", "error_worst", "error_999", "front"}},
+      {"fits",
+       fits_figure,
+       {"representation", "verdict"},
+       {"ns", "ns_upper", "bytes", "l1_all", "l1_below_80", "cbrt_all"}},
+      {"fresnel",
+       fresnel_figure,
+       {"substance", "form"},
+       {"ns", "ns_upper", "error_worst", "error_mean"}},
+      {"fresnel_angles", fresnel_angles_figure, {"substance"}, {"channel", "theta", "error"}},
+      {"printed",
+       printed_figure,
+       {"what", "form"},
+       {"error_worst", "error_median", "checked", "improper"}},
+      {"wire", wire_figure, {"form", "call"}, {"pairs", "chunk", "us", "us_upper", "ns_a_pair"}},
+      {"directions",
+       directions_figure,
+       {"material", "types"},
+       {"bytes", "error_999", "error_worst"}},
+      {"sampling",
+       sampling_figure,
+       {"model", "strategy", "group"},
+       {"theta", "ns", "ns_upper", "variance", "variance_upper", "front"}},
+      {"resolution", resolution_figure, {"cells", "interpolation"}, {"bytes", "l1_all"}}};
+  return kAll;
+}
+
+bool has(const chart::Table& table, const std::vector<std::string_view>& names, bool words) {
+  return std::ranges::all_of(names, [&](std::string_view name) {
+    const auto found = std::ranges::find(table.columns, name, &chart::Column::name);
+    return found != table.columns.end() && found->unit.empty() == words;
+  });
+}
 
 }  // namespace
 
 std::vector<Figure> figures_of(const chart::Table& table) {
-  const auto* drawn = std::ranges::find(kDrawn, table.name, &Drawn::table);
-  if (drawn == kDrawn.end() || table.rows.empty()) return {};
-  return {drawn->figure(table)};
+  for (const Drawn& drawn : all_drawn()) {
+    if (drawn.table != table.name || table.rows.empty()) continue;
+    if (has(table, drawn.words, true) && has(table, drawn.numbers, false))
+      return {drawn.figure(table)};
+  }
+  return {};
 }
 
 std::vector<double> numbers_of(const chart::Table& table, std::string_view column) {

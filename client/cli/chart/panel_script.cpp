@@ -204,14 +204,16 @@ std::string script_number(double x) {
   return text;
 }
 
-// Inside a script's double quotes.
+// In single quotes, in which gnuplot runs nothing: between double ones it would take `date` for a
+// command. A name may come from a file or a server.
 std::string script_text(const std::string& text) {
-  std::string out = "\"";
+  std::string out = "'";
   for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
+    const bool control = static_cast<unsigned char>(c) < ' ';
+    out += control ? ' ' : c;
+    if (c == '\'') out += c;
   }
-  return out + "\"";
+  return out + "'";
 }
 
 // A panel's numbers as blocks, "$NAME_0" for the first series.

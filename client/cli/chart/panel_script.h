@@ -22,7 +22,7 @@ std::string data_blocks(const Panel& panel, const std::string& name);
 // What draws them, inside a multiplot.
 std::string panel_commands(const Panel& panel, const Frame& frame, const std::string& name);
 
-// As scripts have them: a number, and text inside double quotes.
+// As scripts have them: a number, and quoted text.
 std::string script_number(double x);
 std::string script_text(const std::string& text);
 

@@ -81,8 +81,10 @@ Figure directions_figure(const chart::Table& table) {
     panel.series.push_back(std::move(series));
   }
   auto& lowest = panel.series.front().marks;
-  lowest[1].label = "float32 directions, float64 values";
-  lowest[2].label = "float64";
+  if (lowest.size() == 3) {
+    lowest[1].label = "float32 directions, float64 values";
+    lowest[2].label = "float64";
+  }
   figure.panels.push_back(std::move(panel));
   return figure;
 }
