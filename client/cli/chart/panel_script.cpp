@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "client/cli/chart/panel_geometry.h"
+
 namespace gonio::cli {
 namespace {
 
@@ -14,17 +16,6 @@ std::string margins(const Frame& frame) {
          "; set bmargin at screen " + script_number(box.bottom / frame.height) +
          "; set tmargin at screen " + script_number(box.top / frame.height) + "\n";
 }
-
-std::string on_screen(const Frame& frame, double x, double y) {
-  return "screen " + script_number(x / frame.width) + ", screen " + script_number(y / frame.height);
-}
-
-double part_of(const Axis& axis, double x) {
-  if (!axis.logarithmic) return (x - axis.low) / (axis.high - axis.low);
-  return std::log(x / axis.low) / std::log(axis.high / axis.low);
-}
-
-double clamped(const Axis& axis, double x) { return std::clamp(x, axis.low, axis.high); }
 
 const char* point_type(Shape shape) {
   switch (shape) {
@@ -62,93 +53,6 @@ std::string axis_commands(const Axis& axis, char which) {
           std::to_string(static_cast<int>(std::floor(std::log10(axis.low) / step)) * step) +
           ", 1e" + std::to_string(step) + "\n";
   return text + (step > 1 || far ? "unset m" + name + "tics\n" : "set m" + name + "tics 10\n");
-}
-
-// Pixels of a panel's coordinates.
-class Pixels {
- public:
-  Pixels(const Panel& panel, const Box& box) : panel_(panel), box_(box) {}
-  [[nodiscard]] double x(double value) const {
-    return std::lerp(box_.left, box_.right, part_of(panel_.x, clamped(panel_.x, value)));
-  }
-  [[nodiscard]] double y(double value) const {
-    return std::lerp(box_.bottom, box_.top, part_of(panel_.y, clamped(panel_.y, value)));
-  }
-
- private:
-  const Panel& panel_;
-  const Box& box_;
-};
-
-// What labels must not stand on: a mark with its bar and line.
-void take_mark(const Mark& mark, const Pixels& at, std::vector<Box>& taken) {
-  const double x = at.x(mark.x), y = at.y(mark.y);
-  taken.push_back({x - 5, y - 5, x + 5, y + 5});
-  if (!std::isnan(mark.x_high)) {
-    const double other = at.x(mark.x_high);
-    taken.push_back({std::min(x, other), y - 2, std::max(x, other), y + 2});
-  }
-  if (std::isnan(mark.y_other)) return;
-  const double other = at.y(mark.y_other);
-  taken.push_back({x - 1, std::min(y, other), x + 1, std::max(y, other)});
-}
-
-// A front's steps.
-void take_front(const Front& front, const Pixels& at, double right, std::vector<Box>& taken) {
-  for (std::size_t i = 0; i < front.size(); ++i) {
-    const bool last = i + 1 == front.size();
-    const double y = at.y(front[i].second), to = last ? right : at.x(front[i + 1].first);
-    taken.push_back({at.x(front[i].first), y - 2, to, y + 2});
-    if (!last) taken.push_back({to - 2, at.y(front[i + 1].second), to + 2, y});
-  }
-}
-
-// The line through a series, as a row of boxes.
-void take_line(const Series& series, const Pixels& at, std::vector<Box>& taken) {
-  constexpr int kSteps = 24;
-  for (std::size_t i = 1; i < series.marks.size(); ++i) {
-    const Mark &a = series.marks[i - 1], &b = series.marks[i];
-    const double ax = at.x(a.x), bx = at.x(b.x), ay = at.y(a.y), by = at.y(b.y);
-    const int steps = std::clamp(static_cast<int>(std::hypot(bx - ax, by - ay) / 6), 1, kSteps);
-    for (int k = 0; k < steps; ++k) {
-      const double x = std::lerp(ax, bx, (k + 0.5) / steps),
-                   y = std::lerp(ay, by, (k + 0.5) / steps);
-      taken.push_back({x - 3, y - 3, x + 3, y + 3});
-    }
-  }
-}
-
-constexpr double kFar = 18;  // a label so far from its mark has a line to it
-
-std::string label_commands(const Panel& panel, const Frame& frame) {
-  std::vector<LabelWanted> wanted;
-  std::vector<std::string> colours;
-  std::vector<Box> taken;
-  const Pixels at(panel, frame.box);
-  for (const Series& series : panel.series) {
-    if (series.joined) take_line(series, at, taken);
-    for (const Mark& mark : series.marks) {
-      take_mark(mark, at, taken);
-      if (mark.label.empty()) continue;
-      wanted.push_back({at.x(mark.x), at.y(mark.y), mark.label});
-      colours.push_back(series.colour);
-    }
-  }
-  for (const Front& front : panel.fronts) take_front(front, at, frame.box.right, taken);
-  const auto places = place_labels(wanted, taken, frame.box, kLabelFont);
-  std::string text = "do for [i = 1:999] { unset label i }\nunset arrow\n";
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (std::hypot(places[i].x - wanted[i].x, places[i].y - wanted[i].y) > kFar) {
-      text += "set arrow from " + on_screen(frame, wanted[i].x, wanted[i].y) + " to " +
-              on_screen(frame, places[i].x, places[i].y) + " nohead lw 0.5 lc rgb \"" + colours[i] +
-              "\"\n";
-    }
-    text += "set label " + std::to_string(i + 1) + " " + script_text(wanted[i].text) + " at " +
-            on_screen(frame, places[i].x, places[i].y) + (places[i].at_left ? " right" : " left") +
-            " noenhanced font \"," + script_number(kLabelFont) + "\" tc rgb \"" + colours[i] +
-            "\"\n";
-  }
-  return text;
 }
 
 // Gnuplot's own would stand at a distance that depends on the tics' width.

@@ -22,6 +22,9 @@ std::string data_blocks(const Panel& panel, const std::string& name);
 // What draws them, inside a multiplot.
 std::string panel_commands(const Panel& panel, const Frame& frame, const std::string& name);
 
+// Of the labels alone.
+std::string label_commands(const Panel& panel, const Frame& frame);
+
 // As scripts have them: a number, and quoted text.
 std::string script_number(double x);
 std::string script_text(const std::string& text);
