@@ -100,7 +100,7 @@ void Walk::take(Tried tried) {
     if (entry.meets) certify(tried, index);
     if (!has_choice()) {
       if (entry.remark.empty()) entry.remark = "misses the tolerance";
-      if (!nearest_ || entry.error.value < nearest_->entry.error.value) nearest_ = tried;
+      if (entry.on_front) nearest_ = tried;
     }
   }
   selection_.entries.push_back(std::move(entry));

@@ -36,7 +36,7 @@ class Walk {
   Selection selection_;
   std::vector<Ratio> best_;  // of the front's last
   std::string best_name_;
-  std::optional<Tried> nearest_;  // of those before the choice, the one with the least error
+  std::optional<Tried> nearest_;  // of those before the choice, the front's last
   std::size_t attempts_ = 0;
 };
 

@@ -4,6 +4,7 @@
 //                                chosen, one with no more numbers, a larger one, or nothing?
 //   select_bench confidence [N]  N (400) choices at tolerances next to what they err by: how many
 //                                miss it on fresh directions, at 95 % confidence
+//   select_bench coverage [N]    N (400) bounds for each truth: how many are too low
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -73,6 +74,22 @@ bool confidence(std::size_t count) {
   return met;
 }
 
+// The bounds by themselves, where each miss counts: no choosing between.
+bool coverage(std::size_t draws) {
+  testing::Coverage all;
+  for (const testing::Truth& truth : truths()) {
+    const auto one = run_coverage(truth, 4321, draws, 2000);
+    std::printf("%-46s %5.1f %% of %zu bounds are too low\n", truth.name.c_str(),
+                100.0 * static_cast<double>(one.misses) / static_cast<double>(one.draws),
+                one.draws);
+    all.draws += one.draws, all.misses += one.misses;
+  }
+  const bool met = static_cast<double>(all.misses) <= most_misses(static_cast<int>(all.draws));
+  std::printf("%s: %.2f %% in all, for a confidence of 95 %%\n", met ? "met" : "NOT MET",
+              100.0 * static_cast<double>(all.misses) / static_cast<double>(all.draws));
+  return met;
+}
+
 int run(int argc, char** argv) {
   const std::string_view mode = argc > 1 ? argv[1] : "";
   const int count = argc > 2 ? std::atoi(argv[2]) : 0;
@@ -81,7 +98,8 @@ int run(int argc, char** argv) {
   };
   if (mode == "trials") return trials(or_else(100)) ? 0 : 1;
   if (mode == "confidence") return confidence(or_else(400)) ? 0 : 1;
-  std::fprintf(stderr, "usage: select_bench trials|confidence [N]\n");
+  if (mode == "coverage") return coverage(or_else(400)) ? 0 : 1;
+  std::fprintf(stderr, "usage: select_bench trials|confidence|coverage [N]\n");
   return 2;
 }
 

@@ -61,6 +61,29 @@ LobeSpec isotropic_ashikhmin_shirley(Random& random) {
            {"rs", colour(random, 0.1, 0.3)}}};
 }
 
+// u or v the rougher.
+LobeSpec anisotropic(Random& random, const char* model, const char* u, const char* v, double least,
+                     double most) {
+  const double across = between(random, 0, 1) < 0.5 ? 0.3 : 3;
+  const double middle = between(random, least, most);
+  LobeSpec lobe{model, {{u, Numbers{middle}}, {v, Numbers{across * middle}}}};
+  return lobe;
+}
+
+LobeSpec anisotropic_ggx(Random& random) {
+  LobeSpec lobe = anisotropic(random, "ggx", "alpha_x", "alpha_y", 0.15, 0.3);
+  lobe.parameters["scale"] = colour(random, 0.2, 0.6);
+  lobe.parameters["fresnel"] = "none";
+  return lobe;
+}
+
+LobeSpec anisotropic_ashikhmin_shirley(Random& random) {
+  LobeSpec lobe = anisotropic(random, "ashikhmin_shirley", "nu", "nv", 30, 100);
+  lobe.parameters["rd"] = colour(random, 0.2, 0.6);
+  lobe.parameters["rs"] = colour(random, 0.1, 0.3);
+  return lobe;
+}
+
 LobeSpec anisotropic_ward(Random& random) {
   return {"ward",
           {{"alpha_x", Numbers{between(random, 0.1, 0.2)}},
@@ -113,6 +136,14 @@ const std::vector<Truth>& truths() {
       {"ashikhmin_shirley",
        [](Random& r) {
          return MaterialSpec{isotropic_ashikhmin_shirley(r), {}, {}};
+       }},
+      {"ashikhmin_shirley, anisotropic",
+       [](Random& r) {
+         return MaterialSpec{anisotropic_ashikhmin_shirley(r), {}, {}};
+       }},
+      {"ggx:none, anisotropic",
+       [](Random& r) {
+         return MaterialSpec{anisotropic_ggx(r), {}, {}};
        }},
       {"lambertian + ward, anisotropic",
        [](Random& r) { return over_base(r, anisotropic_ward(r)); }},
@@ -213,6 +244,25 @@ Check run_check(const Truth& truth, std::uint64_t seed) {
   scene.tolerance = *first * between(random, 0.97, 1.1);
   const auto second = error_of_choice(seed + 2);
   return {second.has_value(), second && *second > scene.tolerance};
+}
+
+Coverage run_coverage(const Truth& truth, std::uint64_t seed, std::size_t draws,
+                      std::size_t pairs) {
+  constexpr std::size_t kAll = 400'000;
+  Random random(seed);
+  const Material reference = material_of(truth.draw(random)),
+                 other = material_of(truth.draw(random));
+  const select::Distribution scene(scene_to(75, 1));
+  const auto error_on = [&](std::size_t count, std::uint64_t by) {
+    const auto data = select::draw_pairs(reference, scene, count, by);
+    return bounded(errors_of(other, select::Blocks(data), select::Metric::l1), select::Metric::l1,
+                   0.95);
+  };
+  const double truly = error_on(kAll, seed).value;
+  Coverage coverage;
+  for (; coverage.draws < draws; ++coverage.draws)
+    coverage.misses += error_on(pairs, seed + 1 + coverage.draws).upper < truly ? 1 : 0;
+  return coverage;
 }
 
 }  // namespace gonio::testing

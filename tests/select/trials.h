@@ -44,4 +44,11 @@ struct Check {
 };
 Check run_check(const Truth& truth, std::uint64_t seed);
 
+// How often the 95 % bound of one material's error against another of its kind, from so many pairs,
+// is below the error on 400,000.
+struct Coverage {
+  std::size_t draws = 0, misses = 0;
+};
+Coverage run_coverage(const Truth& truth, std::uint64_t seed, std::size_t draws, std::size_t pairs);
+
 }  // namespace gonio::testing
