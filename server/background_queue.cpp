@@ -13,8 +13,9 @@ constexpr int kLowestPriority = 19;  // the nice value
 
 }  // namespace
 
-BackgroundQueue::BackgroundQueue(int threads, std::size_t max_jobs) : max_jobs_(max_jobs) {
-  for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
+BackgroundQueue::BackgroundQueue(int threads, std::size_t max_jobs, bool lowest)
+    : max_jobs_(max_jobs) {
+  for (int i = 0; i < threads; ++i) threads_.emplace_back([this, lowest] { work(lowest); });
 }
 
 BackgroundQueue::~BackgroundQueue() {
@@ -48,9 +49,9 @@ void BackgroundQueue::drop_over() {
   for (const Job& job : over) job.run();
 }
 
-void BackgroundQueue::work() {
+void BackgroundQueue::work(bool lowest) {
   // Of this thread alone, as Linux has it. Where it is refused, fits only share more.
-  setpriority(PRIO_PROCESS, 0, kLowestPriority);
+  if (lowest) setpriority(PRIO_PROCESS, 0, kLowestPriority);
   std::unique_lock lock(mutex_);
   for (;;) {
     changed_.wait(lock, [this] { return stopping_ || !waiting_.empty(); });

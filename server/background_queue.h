@@ -22,8 +22,8 @@ class BackgroundQueue {
     std::function<bool()> is_over;  // nobody waits for it any more: run() then costs nothing
   };
 
-  // At most `max_jobs` wait or run at a time.
-  BackgroundQueue(int threads, std::size_t max_jobs);
+  // At most `max_jobs` wait or run at a time. `lowest`: at the lowest priority.
+  BackgroundQueue(int threads, std::size_t max_jobs, bool lowest = true);
   ~BackgroundQueue();  // runs what is still queued
   BackgroundQueue(const BackgroundQueue&) = delete;
   BackgroundQueue& operator=(const BackgroundQueue&) = delete;
@@ -40,7 +40,7 @@ class BackgroundQueue {
   void drop_over();
 
  private:
-  void work();
+  void work(bool lowest);
 
   const std::size_t max_jobs_;
   std::mutex mutex_;

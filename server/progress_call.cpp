@@ -45,7 +45,7 @@ void ProgressCall::run() {
 
 void ProgressCall::note(grpc::ByteBuffer progress) {
   const std::lock_guard lock(mutex_);
-  progress_ = std::move(progress);
+  progress_.Swap(&progress);
 }
 
 void ProgressCall::end(std::optional<grpc::ByteBuffer> result, const grpc::Status& status) {
@@ -109,7 +109,7 @@ void ProgressCall::pump(bool progress_is_due) {
     if (end_) {
       finished_ = true;
       final = end_;
-      if (result_) outgoing_ = std::move(*result_);
+      if (result_) outgoing_.Swap(&*result_);
       write = result_.has_value();
     } else if (progress_is_due) {
       outgoing_ = progress_;

@@ -94,7 +94,7 @@ struct Server::State {
         materials(std::move(loaded)),
         memory(given.memory_quota_bytes),
         pool(threads_of(given), given.max_queued_jobs),
-        fits(given.fit_threads, given.max_fits),
+        fits(given.fit_threads, given.max_fits, given.fits_give_way),
         puts(1, kMaxPuts),
         service({materials, pool, given.max_message_bytes, given.max_queued_jobs, *logger, memory,
                  FitBackend{fits, given.longest_fit}, puts}) {}

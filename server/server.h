@@ -53,6 +53,9 @@ struct ServerOptions {
   int fit_threads = 2;
   std::size_t max_fits = 16;
   std::chrono::milliseconds longest_fit = std::chrono::minutes(10);
+  // At the lowest priority, so that evaluation does not wait for them. A process that does one
+  // thing at a time has nothing to gain by it, and on a busy machine much to lose.
+  bool fits_give_way = true;
   // Null: no log.
   std::shared_ptr<spdlog::logger> logger = nullptr;
 };

@@ -47,6 +47,7 @@ Result<Connection> Connection::open(const ConnectionOptions& options) {
   ServerOptions server_options;
   server_options.threads = options.threads;
   server_options.allow_local_files = true;
+  server_options.fits_give_way = false;
   auto server = Server::start(server_options);
   if (!server) return std::move(server).error();
   auto client = client::Client::from_channel((*server)->in_process_channel(), "the embedded server",

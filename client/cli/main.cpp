@@ -39,7 +39,7 @@ Examples:
 
 Exit status: 0 done; 1 failed on the way; 2 wrong arguments, files or materials;
 3 no answer from the server (not there, too busy, or past the deadline); 4 not within its limits
-(gonio assess).)";
+(gonio assess), or nothing good enough (gonio select).)";
 
 }  // namespace
 

@@ -33,7 +33,8 @@ struct Reference {
 
 // Tables that only this machine has travel to a server as pairs.
 Result<Reference> read_reference(const std::string& argument, const SelectArguments& arguments) {
-  constexpr std::array<std::string_view, 5> kPairs{".brdf", ".dat", ".alta", ".csv", ".npy"};
+  constexpr std::array<std::string_view, 6> kPairs{".brdf", ".bsdf", ".dat",
+                                                   ".alta", ".csv",  ".npy"};
   const bool embedded = arguments.connection.server.empty();
   const bool json = argument.find('{') != std::string::npos;
   const std::string extension =

@@ -40,14 +40,16 @@ std::vector<Indistinct> unseen(const Form& form, const Eigen::MatrixXd& H,
   for (Eigen::Index k = 0; k < eigen.eigenvalues().size(); ++k) {
     if (eigen.eigenvalues()[k] > kUnseen) break;  // they come in rising order
     Indistinct direction{{}, std::max(eigen.eigenvalues()[k], 0.0)};
+    // Spread over many channels no parameter has much of it: then the largest takes part.
+    const auto shares = eigen.eigenvectors().col(k).cwiseAbs();
+    const double least = std::min(kTakesPart, 0.999 * shares.maxCoeff());
     for (std::size_t i = 0; i < free.size(); ++i) {
       const std::string field = field_of(form, free[i]);
       const bool known = std::find(direction.fields.begin(), direction.fields.end(), field) !=
                          direction.fields.end();
-      if (!known && std::abs(eigen.eigenvectors()(static_cast<Eigen::Index>(i), k)) > kTakesPart)
-        direction.fields.push_back(field);
+      if (!known && shares(static_cast<Eigen::Index>(i)) > least) direction.fields.push_back(field);
     }
-    found.push_back(std::move(direction));
+    if (!direction.fields.empty()) found.push_back(std::move(direction));
   }
   return found;
 }

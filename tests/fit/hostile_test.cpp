@@ -104,6 +104,30 @@ TEST(HostileData, FivePairs) {
   EXPECT_EQ(result.certificate.verdict, Verdict::ambiguous) << result.certificate.reason;
 }
 
+// Directions that the data do not see are then spread over many channels, each of which has little
+// of them.
+TEST(HostileData, FewPairsOfManyChannels) {
+  std::vector<double> rd, f0;
+  for (int c = 0; c < 31; ++c) rd.push_back(0.1 + 0.01 * c), f0.push_back(0.05 + 0.005 * c);
+  const MaterialSpec truth{{},
+                           LobeSpec{"lambertian", {{"rd", rd}}},
+                           {LobeSpec{"ggx",
+                                     {{"alpha_x", std::vector{0.3}},
+                                      {"alpha_y", std::vector{0.3}},
+                                      {"f0", f0},
+                                      {"fresnel", "schlick"}}}}};
+  const fit::Data near = fit::within(data_of(truth, scattered_pairs(20'000, 1), 0.05), 0, 0.2);
+  for (const char* fresnel : {"schlick", "conductor"}) {
+    const MaterialSpec form{
+        {}, LobeSpec{"lambertian", {}}, {LobeSpec{"ggx", {{"fresnel", fresnel}}}}};
+    const auto result = fit::fit(fit::subset(near, 50, 1), form, {});
+    ASSERT_TRUE(result.ok());
+    EXPECT_FALSE(result->certificate.indistinct.empty());
+    for (const auto& direction : result->certificate.indistinct)
+      EXPECT_FALSE(direction.fields.empty());
+  }
+}
+
 TEST(HostileData, NothingLeft) {
   const auto result = fitted(constant(-1));
   EXPECT_EQ(result.certificate.verdict, Verdict::failed);
