@@ -3,7 +3,7 @@
 
   tests/bench/agree.py [BIN]      BIN: the folder of the built programs, build/bin if not given
 
-Prints the time of each evaluation and each sample by both, and their ratio; fails where one is off
+Prints the time of each evaluation, sample and call by both, and their ratio; fails where one is off
 by more than a fifth. Takes about a minute.
 """
 import csv
@@ -26,6 +26,20 @@ def bench_times(program, names, folder):
         if run["run_type"] == "iteration":
             ns = 1e9 / run["items_per_second"]
             times[run["run_name"]] = min(ns, times.get(run["run_name"], ns))
+    return times
+
+
+def wire_times(program, folder):
+    """Microseconds of a call of one pair, and of a stream of 1 M, the best."""
+    out = folder / "wire.json"
+    subprocess.run([program, "--benchmark_filter=unix", f"--benchmark_out={out}", "--benchmark_out_format=json"],
+                   check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    times = {}
+    for run in json.loads(out.read_text())["benchmarks"]:
+        if "best_us" in run:
+            times["unary, 1 pair"] = run["best_us"]
+        elif "/1048576/" in run["name"]:
+            times["stream, 1 M pairs"] = 1e6 * (1 << 20) / run["best_pairs/s"]
     return times
 
 
@@ -69,6 +83,11 @@ def main():
                 if row["strategy"] != "cosine" and row["theta"] == "30"]
         agree &= compare("ns a sample", [(bench_name_of_sampling(row, best), times[bench_name_of_sampling(row, best)],
                                           float(row["ns"])) for row in rows])
+        times = wire_times(binaries / "wire_bench", folder)
+        rows = [row for row in chart_rows(binaries / "gonio", "wire", folder)
+                if row["form"] == "pairs" and row["pairs"] in ("1", "1048576") and row["chunk"] == "65536"]
+        agree &= compare("us over a UNIX socket", [(name, times[name], float(row["us"]))
+                                                   for name, row in zip(("unary, 1 pair", "stream, 1 M pairs"), rows)])
     sys.exit(0 if agree else "they do not agree within a fifth")
 
 

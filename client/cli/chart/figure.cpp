@@ -36,14 +36,15 @@ bool is_same(const Figure& figure, std::size_t i, std::size_t other, Axis Panel:
 Frame frame_of(const Figure& figure, std::size_t i) {
   const auto [width, height] = size_of(figure);
   const auto columns = static_cast<std::size_t>(figure.columns);
-  const double left = static_cast<double>(i % columns) * figure.panel_width;
-  const double top = height - kCaption - static_cast<double>(i / columns) * figure.panel_height;
+  const std::size_t column = i % columns, row = i / columns;
+  const double left = static_cast<double>(column) * figure.panel_width;
+  const double top = height - kCaption - static_cast<double>(row) * figure.panel_height;
   return {{left + kLeft, top - figure.panel_height + kBottom, left + figure.panel_width - kRight,
            top - kTop},
           static_cast<double>(width),
           static_cast<double>(height),
           !is_same(figure, i, i + columns, &Panel::x),
-          i % columns == 0 || !is_same(figure, i, i - 1, &Panel::y)};
+          column == 0 || !is_same(figure, i, i - 1, &Panel::y)};
 }
 
 std::string all_panels(const Figure& figure) {
