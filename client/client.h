@@ -39,6 +39,7 @@
 
 #include "base/result.h"
 #include "client/assess.h"
+#include "client/chart.h"
 #include "client/fit.h"
 #include "client/grid.h"
 #include "client/material.h"
@@ -229,6 +230,13 @@ class Client {
   // "scene....", "options....", "material....", "pairs...." or "reference".
   Result<Selection> select(const SelectReference& reference, const SelectScene& scene,
                            const SelectOptions& options = {}, const SelectWatch& watch = {}) const;
+
+  // Measures speed against accuracy on the server's machine: see client/chart.h. Takes about a
+  // minute; what else the server does meanwhile shows in the times. Errors: "parts[1]",
+  // "repetitions" and other options out of bounds, those of fit() for the data, and what the server
+  // says.
+  [[nodiscard]] Result<Chart> chart(const ChartOptions& options = {},
+                                    const ChartWatch& watch = {}) const;
 
  private:
   struct State;

@@ -32,6 +32,7 @@ inline constexpr const char* kIntegrateMethod = "/gonio.v1.GonioService/Integrat
 inline constexpr const char* kFitMethod = "/gonio.v1.GonioService/Fit";
 inline constexpr const char* kPutMaterialMethod = "/gonio.v1.GonioService/PutMaterial";
 inline constexpr const char* kAssessMethod = "/gonio.v1.GonioService/Assess";
+inline constexpr const char* kChartMethod = "/gonio.v1.GonioService/Chart";
 inline constexpr const char* kSelectMethod = "/gonio.v1.GonioService/Select";
 inline constexpr const char* kListModelsMethod = "/gonio.v1.GonioService/ListModels";
 

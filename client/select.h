@@ -25,8 +25,10 @@
 
 namespace gonio::client {
 
-// The error that the tolerance is of; FitErrors has the formulas.
-enum class SelectMetric : std::uint8_t { l1, rmse, log, cbrt };
+// The error that the tolerance is of; FitErrors has the formulas. delta_e is CIEDE2000, the mean
+// over the picture of a sphere in which a white diffuser that faces the light is white; of one
+// channel or three, which are linear sRGB.
+enum class SelectMetric : std::uint8_t { l1, rmse, log, cbrt, delta_e };
 
 enum class SelectCost : std::uint8_t {
   ns,           // time of an evaluation

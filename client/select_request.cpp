@@ -11,7 +11,7 @@ namespace {
 
 namespace v1 = gonio::v1;
 
-constexpr std::array<std::string_view, 4> kMetrics{"l1", "rmse", "log", "cbrt"};
+constexpr std::array<std::string_view, 5> kMetrics{"l1", "rmse", "log", "cbrt", "delta_e"};
 constexpr std::array<std::string_view, 3> kCosts{"ns", "bytes", "ns_variance"};
 constexpr std::array<std::string_view, 2> kLights{"directional", "environment"};
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # From a machine with nothing installed to real answers: installs, builds, starts goniod, has four materials evaluated for
-# a million pairs of directions each through the command line, draws their lobes, and fits models to the measured one. Takes
-# some minutes the first time.
+# a million pairs of directions each through the command line, draws their lobes, fits models to the measured one, and charts
+# speed against accuracy. Takes some minutes the first time.
 #
 #   docker/demo.sh [RESULTS]       RESULTS: a folder for what is made, default out/demo
 #
@@ -115,7 +115,10 @@ echo
   --slices "$results/fit_slices.png" --render "$results/fit_spheres.png"
 echo "all that is known of the fits: $results/fit.md; the best beside what is measured: $results/fit_slices.png, $results/fit_spheres.png"
 
-step "8. What was done"
+step "8. Chart speed against accuracy, on the server"
+"$bin/gonio" chart --quick -o "$results/chart" --data "$measured"
+
+step "9. What was done"
 cat "$table"
 echo
 echo "seconds: one gonio evaluate, reading and writing its files included; kernel: the server's BRDF code alone, summed over its threads"

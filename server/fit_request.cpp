@@ -70,26 +70,6 @@ Result<fit::Options> options_of(const v1::FitOptions& from) {
   return options;
 }
 
-Error not_measured(const std::string& found) {
-  return bad_value("measured", found,
-                   R"(a measured material that the server holds, such as {"name": "nickel"})");
-}
-
-Result<std::shared_ptr<const MeasuredTable>> table_of(const v1::Material& measured,
-                                                      const Materials& materials) {
-  auto material = materials.resolve(measured.SerializeAsString());
-  if (!material) {
-    Error error = material.error();
-    if (error.field.rfind("material.", 0) != 0) return error;
-    error.field.replace(0, 8, "measured");
-    if (error.message.rfind("material.", 0) == 0) error.message.replace(0, 8, "measured");
-    return error;
-  }
-  auto table = material->material().impl().table;
-  if (!table) return not_measured("an analytic material");
-  return table;
-}
-
 // About what the fit holds; a polish also has the transformed values and a descent's residuals.
 std::size_t bytes_of(std::size_t pairs, std::size_t channels, bool polish) {
   constexpr std::size_t kSubsets = std::size_t{32} << 20;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/material.h"
+#include "engine/material_impl.h"
 
 namespace gonio {
 namespace {
@@ -17,6 +17,11 @@ Error within_pairs(Error error) {
   error.field = "pairs." + error.field;
   error.message = "pairs." + error.message;
   return error;
+}
+
+Error not_measured(const std::string& found) {
+  return bad_value("measured", found,
+                   R"(a measured material that the server holds, such as {"name": "nickel"})");
 }
 
 }  // namespace
@@ -38,6 +43,21 @@ Result<fit::Data> data_of(const v1::MeasuredPairs& pairs) {
                               static_cast<int>(pairs.channels()), wide(pairs.weights()));
   if (!data) return within_pairs(data.error());
   return data;
+}
+
+Result<std::shared_ptr<const MeasuredTable>> table_of(const v1::Material& measured,
+                                                      const Materials& materials) {
+  auto material = materials.resolve(measured.SerializeAsString());
+  if (!material) {
+    Error error = material.error();
+    if (error.field.rfind("material.", 0) != 0) return error;
+    error.field.replace(0, 8, "measured");
+    if (error.message.rfind("material.", 0) == 0) error.message.replace(0, 8, "measured");
+    return error;
+  }
+  auto table = material->material().impl().table;
+  if (!table) return not_measured("an analytic material");
+  return table;
 }
 
 }  // namespace gonio

@@ -1,11 +1,15 @@
-// Measured pairs that come with a request. Thread safety: functions without state.
+// Measured pairs that come with a request, and tables that one names. Thread safety: functions
+// without state.
 #pragma once
 
 #include <cstddef>
+#include <memory>
 
 #include "base/result.h"
 #include "fit/data.h"
 #include "gonio/v1/fit.pb.h"
+#include "measured/table.h"
+#include "server/materials.h"
 
 namespace gonio {
 
@@ -17,5 +21,10 @@ std::size_t bytes_of_pair(std::size_t channels);
 
 // Errors: arrays whose lengths do not agree, as "pairs....".
 Result<fit::Data> data_of(const v1::MeasuredPairs& pairs);
+
+// The table of a stored measured material. Errors: "measured...." for one that is not there or is
+// no table.
+Result<std::shared_ptr<const MeasuredTable>> table_of(const v1::Material& measured,
+                                                      const Materials& materials);
 
 }  // namespace gonio

@@ -31,8 +31,8 @@ select::Bin bin_of(const v1::SelectBin& from) {
 }
 
 Result<select::Scene> scene_of(const v1::SelectScene& from) {
-  const auto metric = word(from.metric(), v1::SELECT_METRIC_CBRT, select::Metric::l1,
-                           "scene.metric", "SELECT_METRIC_L1 (1) to SELECT_METRIC_CBRT (4)");
+  const auto metric = word(from.metric(), v1::SELECT_METRIC_DELTA_E, select::Metric::l1,
+                           "scene.metric", "SELECT_METRIC_L1 (1) to SELECT_METRIC_DELTA_E (5)");
   if (!metric) return metric.error();
   const auto cost = word(from.cost(), v1::SELECT_COST_NS_VARIANCE, select::CostKind::ns,
                          "scene.cost", "SELECT_COST_NS (1) to SELECT_COST_NS_VARIANCE (3)");

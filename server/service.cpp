@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "server/assess_call.h"
+#include "server/chart_call.h"
 #include "server/evaluation.h"
 #include "server/fit_call.h"
 #include "server/integration.h"
@@ -93,6 +94,12 @@ grpc::ServerWriteReactor<grpc::ByteBuffer>* Service::Select(grpc::CallbackServer
                                                             const grpc::ByteBuffer* request) {
   backend_.call_begins();
   return ProgressCall::start<SelectCall>(backend_, *context, *request);
+}
+
+grpc::ServerWriteReactor<grpc::ByteBuffer>* Service::Chart(grpc::CallbackServerContext* context,
+                                                           const grpc::ByteBuffer* request) {
+  backend_.call_begins();
+  return ProgressCall::start<ChartCall>(backend_, *context, *request);
 }
 
 }  // namespace gonio

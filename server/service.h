@@ -19,8 +19,9 @@ using RawFit = WireService::WithRawCallbackMethod_Fit<RawSample>;
 using RawPut = WireService::WithRawCallbackMethod_PutMaterial<RawFit>;
 using RawAssess = WireService::WithRawCallbackMethod_Assess<RawPut>;
 using RawSelect = WireService::WithRawCallbackMethod_Select<RawAssess>;
+using RawChart = WireService::WithRawCallbackMethod_Chart<RawSelect>;
 using RawService = WireService::WithCallbackMethod_ListModels<
-    WireService::WithRawCallbackMethod_Integrate<RawSelect>>;
+    WireService::WithRawCallbackMethod_Integrate<RawChart>>;
 
 class Service final : public RawService {
  public:
@@ -44,6 +45,9 @@ class Service final : public RawService {
                                    grpc::ByteBuffer* response) override;
   grpc::ServerWriteReactor<grpc::ByteBuffer>* Select(grpc::CallbackServerContext* context,
                                                      const grpc::ByteBuffer* request) override;
+
+  grpc::ServerWriteReactor<grpc::ByteBuffer>* Chart(grpc::CallbackServerContext* context,
+                                                    const grpc::ByteBuffer* request) override;
 
   grpc::ServerUnaryReactor* Sample(grpc::CallbackServerContext* context,
                                    const grpc::ByteBuffer* request,

@@ -27,5 +27,6 @@ Command add_compare_command(CLI::App& app);
 Command add_put_command(CLI::App& app);
 Command add_assess_command(CLI::App& app);
 Command add_select_command(CLI::App& app);
+Command add_chart_command(CLI::App& app);
 
 }  // namespace gonio::cli

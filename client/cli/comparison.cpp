@@ -64,4 +64,19 @@ Result<Comparison> read_comparison(const std::string& reference,
   return comparison;
 }
 
+Result<chart::Measured> read_chart_data(const std::string& file, bool degrees) {
+  Materials materials;
+  materials.allow_local_files();
+  auto input = read_measured(file, true, degrees);
+  if (!input) return input.error();
+  auto data = data_of(*input, materials);
+  if (!data) return data.error();
+  chart::Measured measured{shown_name(file), std::move(*data), nullptr};
+  if (!input->measured) return measured;
+  const auto material = materials.resolve(input->measured->wire());
+  if (!material) return material.error();
+  measured.table = material->material().impl().table;
+  return measured;
+}
+
 }  // namespace gonio::cli

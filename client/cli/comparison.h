@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "chart/chart.h"
 #include "client/cli/measured_input.h"
 #include "client/material.h"
 #include "engine/material.h"
@@ -30,6 +31,9 @@ struct Comparison {
 // built, and materials of other channels than the reference has.
 Result<Comparison> read_comparison(const std::string& reference,
                                    const std::vector<std::string>& arguments, bool degrees);
+
+// A file's measurements as a chart takes them, with the table if it is one. Errors name the file.
+Result<chart::Measured> read_chart_data(const std::string& file, bool degrees);
 
 // A file's name, or JSON as it is.
 std::string shown_name(const std::string& argument);

@@ -20,19 +20,6 @@
 namespace gonio::cli {
 namespace {
 
-// A file; or, on a server, the name of one of its materials: no extension and no such file here.
-Result<MeasuredInput> read_data(const FitArguments& arguments) {
-  const bool embedded = arguments.connection.server.empty();
-  const std::filesystem::path path = arguments.data;
-  std::error_code ignored;
-  const bool name = !path.has_parent_path() && !path.has_extension() && arguments.data != "-" &&
-                    !std::filesystem::exists(path, ignored);
-  if (embedded || !name) return read_measured(arguments.data, embedded, arguments.degrees);
-  MeasuredInput input;
-  input.measured = client::Material::named(arguments.data);
-  return input;
-}
-
 // How much of a fit is done when a stage begins, from the time that stages take.
 double part_before(const std::string& stage) {
   constexpr std::array<std::pair<std::string_view, double>, 4> kStages{
@@ -131,7 +118,7 @@ Outcome write_all(Outputs& outputs, const std::vector<NamedFit>& fits, const Nam
 }
 
 int run(const FitArguments& arguments) {
-  auto input = read_data(arguments);
+  auto input = read_data(arguments.data, arguments.connection.server.empty(), arguments.degrees);
   if (!input) return fail(input.error());
   auto connection = Connection::open(arguments.connection);
   if (!connection) return fail(connection.error());

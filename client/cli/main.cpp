@@ -33,6 +33,7 @@ Examples:
   gonio compare --reference nickel.binary --material nickel.json
   gonio put nickel nickel.binary      store a measured material on a server
   gonio assess --material gold.json   where it fails, and a verdict
+  gonio chart -o chart                speed against accuracy on this machine
   gonio select --reference nickel.binary --scene scene.json -o nickel.json
   gonio evaluate --help               everything about it; so for each command
 
@@ -54,7 +55,7 @@ int main(int argc, char** argv) try {
                          gonio::cli::add_lobe_command(app),   gonio::cli::add_render_command(app),
                          gonio::cli::add_fit_command(app),    gonio::cli::add_compare_command(app),
                          gonio::cli::add_put_command(app),    gonio::cli::add_assess_command(app),
-                         gonio::cli::add_select_command(app)};
+                         gonio::cli::add_select_command(app), gonio::cli::add_chart_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& wanted) {  // --help, --version

@@ -1,6 +1,7 @@
 #include "client/cli/measured_input.h"
 
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "client/cli/material_argument.h"
@@ -86,6 +87,17 @@ Result<MeasuredInput> read_measured(const std::string& file, bool keep_tables, b
   if (!start) return start.error();
   if (*start == kNpyMagic) return weighed(read_measured_npy(std::move(*source)));
   return weighed(read_measured_csv(std::move(*source), degrees));
+}
+
+Result<MeasuredInput> read_data(const std::string& data, bool embedded, bool degrees) {
+  const std::filesystem::path path = data;
+  std::error_code ignored;
+  const bool name = !path.has_parent_path() && !path.has_extension() && data != "-" &&
+                    !std::filesystem::exists(path, ignored);
+  if (embedded || !name) return read_measured(data, embedded, degrees);
+  MeasuredInput input;
+  input.measured = client::Material::named(data);
+  return input;
 }
 
 }  // namespace gonio::cli

@@ -29,6 +29,10 @@ struct MeasuredInput {
 // become pairs. `degrees`: a CSV's angles are.
 Result<MeasuredInput> read_measured(const std::string& file, bool keep_tables, bool degrees);
 
+// The same; or, not `embedded`, the name of one of a server's materials: no extension and no such
+// file here.
+Result<MeasuredInput> read_data(const std::string& data, bool embedded, bool degrees);
+
 // CSV: the header names wi_x,...,wo_z or theta_i,phi_i,theta_o,phi_o; f_0, f_1, ... (1 to 64); and,
 // if there is one, weight. Other columns are ignored; a pair that `flags` marks has no value.
 Result<MeasuredInput> read_measured_csv(ByteSource source, bool degrees);

@@ -100,16 +100,25 @@ Outcome read_word(const JsonObject& object, const char* name, const OfName& of_n
   return Ok{};
 }
 
+// Whether time matters. No model varies with it: a scene that needs one is told so.
+Outcome check_time(const JsonObject& object) {
+  bool matters = false;
+  if (auto ok = read_switch(object, "time", kPrefix, matters); !ok) return ok;
+  if (!matters) return Ok{};
+  return bad_value(kPrefix + "time", "true", "false: no material here varies with time");
+}
+
 }  // namespace
 
 Result<client::SelectScene> scene_needs(const JsonObject& object) {
   SelectScene scene;
-  for (const Outcome& ok : {read_word(object, "lights", client::lights_of, scene.lights),
-                            read_word(object, "metric", client::metric_of, scene.metric),
-                            read_word(object, "cost", client::cost_of, scene.cost),
-                            read_number(object, "tolerance", kPrefix, scene.tolerance),
-                            read_number(object, "confidence", kPrefix, scene.confidence),
-                            read_switch(object, "anisotropy", kPrefix, scene.anisotropy)}) {
+  for (const Outcome& ok :
+       {read_word(object, "lights", client::lights_of, scene.lights),
+        read_word(object, "metric", client::metric_of, scene.metric),
+        read_word(object, "cost", client::cost_of, scene.cost),
+        read_number(object, "tolerance", kPrefix, scene.tolerance),
+        read_number(object, "confidence", kPrefix, scene.confidence),
+        read_switch(object, "anisotropy", kPrefix, scene.anisotropy), check_time(object)}) {
     if (!ok) return ok.error();
   }
   auto found = bins(object, scene.lights);

@@ -10,9 +10,9 @@
 
 namespace gonio::cli {
 
-inline constexpr std::array<std::string_view, 10> kNeedFields{
-    "theta_i",    "theta_o", "phi",       "histogram",  "lights",
-    "anisotropy", "metric",  "tolerance", "confidence", "cost"};
+inline constexpr std::array<std::string_view, 11> kNeedFields{
+    "theta_i", "theta_o", "phi",       "histogram",  "lights", "anisotropy",
+    "time",    "metric",  "tolerance", "confidence", "cost"};
 // Those that a histogram stands in the place of.
 inline constexpr std::array<std::string_view, 3> kRangeFields{"theta_i", "theta_o", "phi"};
 

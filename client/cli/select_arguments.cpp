@@ -15,8 +15,10 @@ file of
   histogram          in place of these: {"theta_i": edges, "theta_o": edges, "phi": edges, "counts":
                      numbers, phi the fastest}
   lights             "directional" (if not given) or "environment"
-  anisotropy         false: only isotropic candidates
-  tolerance, metric  of the error: "l1" (if not given), relative; "rmse", "log" or "cbrt"
+  anisotropy, time   whether they matter; anisotropy false: only isotropic candidates; time true: none
+                     varies with time, and it is refused
+  tolerance, metric  of the error: "l1" (if not given), relative; "rmse", "log", "cbrt", or "delta_e":
+                     CIEDE2000, the mean over the picture of a sphere, of which about 1 is just seen
   confidence         that the error is below the tolerance: 0.95 if not given
   cost               "ns" (if not given), "bytes" or "ns_variance": ns times 1 + variance / mean^2 of
                      samples, for environments

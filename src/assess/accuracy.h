@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "assess/report.h"
 
@@ -14,5 +15,19 @@ namespace gonio::assess {
 // once `stop` says so: whoever asks must ask it again.
 std::optional<PlaceReport> look_at(std::size_t place, const Subject& subject, std::size_t count,
                                    std::uint64_t seed, const std::function<bool()>& stop);
+
+// Relative errors of all values that the bounds speak of, for statistics.
+struct ErrorList {
+  std::vector<double> relative;  // of proper values
+  std::uint64_t improper = 0;    // NaN, infinite and negative values above the horizon
+};
+struct PlaceErrors {
+  ErrorList fast, reference;
+  ErrorList naive32, naive64;  // with the pairs of `fast`; empty where no such form is known
+};
+
+// Adds those of about `count` pairs at a place.
+void add_errors_at(std::size_t place, const Subject& subject, std::size_t count, std::uint64_t seed,
+                   PlaceErrors& errors);
 
 }  // namespace gonio::assess

@@ -17,11 +17,14 @@ using Vector64 = Vector<double>;
 using ScalarSampling = void (*)(const float* wi, const float* xi, std::size_t n, float* wo,
                                 float* pdf, float* weights);
 
+using DrawFunction = std::function<Vector64(const Vector64& wi, const Vector64& xi)>;
+using PdfFunction = std::function<double(const Vector64& wi, const Vector64& wo)>;
+
 struct SamplingCase {
   std::string name;
   MaterialSpec spec;
-  std::function<Vector64(const Vector64& wi, const Vector64& xi)> draw;
-  std::function<double(const Vector64& wi, const Vector64& wo)> pdf;
+  DrawFunction draw;
+  PdfFunction pdf;
   ScalarSampling scalar = nullptr;  // only for what is timed
 };
 

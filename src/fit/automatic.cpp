@@ -1,4 +1,4 @@
-// The default strategy. A single descent from one guess finds the best optimum of one start in six;
+// The default strategy. The stages as published find the best optimum from one start in five;
 // a scan of the few shape parameters with all colours solved exactly, then descents from its most
 // distinct nodes, found it in all of 2,400.
 //

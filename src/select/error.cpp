@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 #include "engine/evaluate.h"
 #include "fit/metrics.h"
+#include "select/picture.h"
 
 namespace gonio::select {
 namespace {
@@ -22,6 +24,8 @@ double of_metric(const fit::Errors& errors, Metric metric) {
       return errors.log;
     case Metric::cbrt:
       return errors.cbrt;
+    case Metric::delta_e:
+      break;  // picture_error() has it
   }
   return 0;
 }
@@ -51,6 +55,17 @@ double numerator(double error, const Sums& sums, Metric metric) {
   return (is_square(metric) ? error * error : error) * sums.weights;
 }
 
+double denominator(const fit::Data& data, Metric metric) {
+  if (metric == Metric::delta_e) {
+    double seen = 0;
+    for (std::size_t i = 0; i < data.size(); ++i)
+      seen += static_cast<double>(data.weights[i]) * static_cast<double>(data.wo[2][i]);
+    return seen;
+  }
+  const Sums sums = sums_of(data);
+  return metric == Metric::l1 ? sums.measured : sums.weights;
+}
+
 // The block's pairs with what the material itself reflects there, in float32.
 fit::Data as_measured(const Material& material, const fit::Data& block) {
   fit::Data data = block;
@@ -64,6 +79,12 @@ fit::Data as_measured(const Material& material, const fit::Data& block) {
 }
 
 }  // namespace
+
+Outcome check(Metric metric, int channels) {
+  if (metric != Metric::delta_e || channels == 1 || channels == 3) return Ok{};
+  return bad_value("scene.metric", "delta_e of " + std::to_string(channels) + " channels",
+                   "of 1 or 3 channels, grey or linear sRGB");
+}
 
 double root_if_square(double ratio, Metric metric) {
   return is_square(metric) ? std::sqrt(std::max(ratio, 0.0)) : std::max(ratio, 0.0);
@@ -80,9 +101,9 @@ Blocks::Blocks(const fit::Data& data) {
 }
 
 Ratio error_of(const Material& material, const fit::Data& data, Metric metric) {
+  if (metric == Metric::delta_e) return picture_error(material, data);
   const double error = of_metric(fit::compare(material, data, 0).errors.all, metric);
-  const Sums sums = sums_of(data);
-  return {numerator(error, sums, metric), metric == Metric::l1 ? sums.measured : sums.weights};
+  return {numerator(error, sums_of(data), metric), denominator(data, metric)};
 }
 
 std::vector<Ratio> errors_of(const Material& material, const Blocks& blocks, Metric metric) {
@@ -103,11 +124,11 @@ double float32_error(const Material& material, const Blocks& blocks, Metric metr
   Ratio sum;
   for (const fit::Data& part : blocks.parts) {
     const fit::Data own = as_measured(material, part);
-    // A material of one channel stands for all.
-    const double shared = static_cast<double>(part.channels) / own.channels;
-    const Sums sums = sums_of(part);
+    // A material of one channel stands for all; a picture's colours are of all together.
+    const double shared =
+        metric == Metric::delta_e ? 1 : static_cast<double>(part.channels) / own.channels;
     sum.numerator += shared * error_of(material, own, metric).numerator;
-    sum.denominator += metric == Metric::l1 ? sums.measured : sums.weights;
+    sum.denominator += denominator(part, metric);
   }
   return sum.denominator > 0 ? root_if_square(sum.numerator / sum.denominator, metric) : 0;
 }

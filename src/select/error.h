@@ -10,6 +10,9 @@
 
 namespace gonio::select {
 
+// Has the metric a meaning for so many channels? The error names "scene.metric".
+Outcome check(Metric metric, int channels);
+
 // Pairs in an order that means nothing, cut into blocks of about the same size: at most 64, of 16
 // pairs or more where there are enough.
 struct Blocks {

@@ -64,7 +64,7 @@ Outcome check_counts(std::span<const double> counts, std::size_t expected) {
 
 fit::Objective objective_of(Metric metric) {
   constexpr std::array kObjectives{fit::Objective::l1, fit::Objective::l2, fit::Objective::log,
-                                   fit::Objective::cbrt};
+                                   fit::Objective::cbrt, fit::Objective::cbrt};
   return kObjectives[static_cast<std::size_t>(metric)];
 }
 

@@ -18,6 +18,8 @@ enum class Metric : std::uint8_t {
   rmse,  // of f cos, in 1/sr
   log,   // of log(1 + f cos)
   cbrt,  // of the cube root of f cos
+  // CIEDE2000, the mean over the picture of a sphere; of one channel or three. See picture.h.
+  delta_e,
 };
 fit::Objective objective_of(Metric metric);  // what a fit minimises for it
 

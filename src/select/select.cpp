@@ -22,6 +22,7 @@ Result<Selection> choose_for(const Reference& reference, const Material* itself,
   const Distribution distribution(scene);
   const auto sets = sets_of(reference, distribution, options.sizes, options.seed);
   if (!sets) return sets.error();
+  if (auto ok = check(scene.metric, sets->fitted.channels); !ok) return ok.error();
   return choose_from(itself, Task{scene, distribution, *sets, options});
 }
 

@@ -4,15 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <numbers>
 #include <random>
 
 #include "data_folder.h"
-#include "measured/bilinear_density.h"
 #include "measured/pairs.h"
 #include "measured/temp_folder.h"
+#include "measured/tensor_maker.h"
 
 namespace gonio::testing {
 namespace {
@@ -20,53 +19,6 @@ namespace {
 using ::testing::HasSubstr;
 
 constexpr double kPi = std::numbers::pi;
-
-// A tensor file, put together by hand.
-class Maker {
- public:
-  void add(const std::string& name, std::uint8_t type, const std::vector<std::uint64_t>& shape,
-           const void* data, std::size_t bytes) {
-    fields_.push_back({name, type, shape, std::string(static_cast<const char*>(data), bytes)});
-  }
-  void add(const std::string& name, const std::vector<std::uint64_t>& shape,
-           const std::vector<float>& values) {
-    add(name, 10, shape, values.data(), values.size() * sizeof(float));
-  }
-
-  [[nodiscard]] std::string bytes() const {
-    std::string head("tensor_file\0\1\0", 14), body;
-    put(head, static_cast<std::uint32_t>(fields_.size()));
-    std::size_t length = head.size();
-    for (const Field& f : fields_) length += 13 + f.name.size() + 8 * f.shape.size();
-    for (const Field& f : fields_) {
-      put(head, static_cast<std::uint16_t>(f.name.size()));
-      head += f.name;
-      put(head, static_cast<std::uint16_t>(f.shape.size()));
-      put(head, f.type);
-      put(head, static_cast<std::uint64_t>(length + body.size()));
-      for (const std::uint64_t size : f.shape) put(head, size);
-      body += f.data;
-    }
-    return head + body;
-  }
-
- private:
-  struct Field {
-    std::string name;
-    std::uint8_t type;
-    std::vector<std::uint64_t> shape;
-    std::string data;
-  };
-
-  template <class T>
-  static void put(std::string& to, T number) {
-    char bytes[sizeof(T)];
-    std::memcpy(bytes, &number, sizeof(T));
-    to.append(bytes, sizeof(T));
-  }
-
-  std::vector<Field> fields_;
-};
 
 // What the made file shows: not constant, and not the same in all channels.
 double reflectance(double cos_theta_o, int channel) {
@@ -100,7 +52,7 @@ std::string made(const MadeOf& of = {}) {
       }
     }
   }
-  Maker maker;
+  TensorMaker maker;
   const auto angles = static_cast<std::uint64_t>(of.theta.size());
   maker.add("description", 1, {4}, "made", 4);
   maker.add("phi_i", {1}, {0});
@@ -149,7 +101,7 @@ TEST(Rgl, WeighsByTheMeasureOfPairs) {
 }
 
 TEST(Rgl, ColoursOutsideOfSrgbAreCutNotLost) {
-  Maker maker;
+  TensorMaker maker;
   maker.add("phi_i", {1}, {0});
   maker.add("theta_i", {1}, {0.1F});
   maker.add("ndf", {2, 2}, std::vector<float>(4, 1));
@@ -212,45 +164,6 @@ TEST(Rgl, SurvivesAnything) {
     EXPECT_EQ(pairs->values.size(), 3 * pairs->size());
     EXPECT_EQ(pairs->weights.size(), pairs->size());
   }
-}
-
-// The part of the density's integral left of and below a place is what was asked for.
-TEST(BilinearDensity, DrawsByItsOwnIntegral) {
-  const std::vector<float> nodes{0, 1, 4, 2, 0, 3, 5, 0, 0};
-  const BilinearDensity density(nodes, 3, 3);
-  const auto value = [&](double u, double v) {
-    const auto at = [&](double x, double y) {
-      return static_cast<double>(nodes[static_cast<std::size_t>(3 * y + x)]);
-    };
-    const double x = std::min(std::floor(2 * u), 1.0), y = std::min(std::floor(2 * v), 1.0);
-    const double a = 2 * u - x, b = 2 * v - y;
-    return (1 - b) * ((1 - a) * at(x, y) + a * at(x + 1, y)) +
-           b * ((1 - a) * at(x, y + 1) + a * at(x + 1, y + 1));
-  };
-  constexpr int kSteps = 400;
-  double whole = 0;
-  for (int i = 0; i < kSteps * kSteps; ++i)
-    whole += value((i % kSteps + 0.5) / kSteps, (i / kSteps + 0.5) / kSteps) / kSteps / kSteps;
-  for (const double t : {0.0, 0.1, 0.5, 0.77, 1.0}) {
-    for (const double s : {0.0, 0.2, 0.5, 0.9, 1.0}) {
-      const auto place = density.at(s, t);
-      EXPECT_NEAR(place.density, value(place.u, place.v) / whole, 1e-4);
-      double rows = 0, left = 0, row = 0;
-      for (int i = 0; i < kSteps * kSteps; ++i)
-        rows += place.v * value((i % kSteps + 0.5) / kSteps, place.v * (i / kSteps + 0.5) / kSteps);
-      for (int i = 0; i < kSteps; ++i) {
-        left += place.u * value(place.u * (i + 0.5) / kSteps, place.v);
-        row += value((i + 0.5) / kSteps, place.v);
-      }
-      EXPECT_NEAR(rows / kSteps / kSteps / whole, t, 1e-4);
-      EXPECT_NEAR(left / row, s, 1e-3);
-    }
-  }
-}
-
-TEST(BilinearDensity, OfNothingIsNothing) {
-  const std::vector<float> nodes(4, 0);
-  EXPECT_EQ(BilinearDensity(nodes, 2, 2).at(0.5, 0.5).density, 0);
 }
 
 // Paper is nearly the same from everywhere, and what one angle of incidence says of another angle's

@@ -53,6 +53,17 @@ TEST(Choice, LargerTolerancesAreCheaper) {
   EXPECT_THAT(rough.reason, HasSubstr("Nothing costs less"));
 }
 
+// A difference of colour that is just seen: the lobe counts by what a picture shows of it.
+TEST(Choice, GoesByColoursToo) {
+  select::Scene scene = scene_to(75, 1.5);
+  scene.metric = select::Metric::delta_e;
+  const auto close = chosen(varnished(), scene);
+  EXPECT_LT(close.choice->error.upper, 1.5);
+  EXPECT_NE(entry_of(close).name, "lambertian");
+  scene.tolerance = 40;
+  EXPECT_EQ(entry_of(chosen(varnished(), scene)).name, "lambertian");
+}
+
 // Numbers come out as short as the tolerance lets them, and are what was certified.
 TEST(Choice, RoundsItsNumbers) {
   const auto found = chosen(varnished(), scene_to(75, 0.02));

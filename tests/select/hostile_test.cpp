@@ -57,6 +57,16 @@ TEST(HostileSelection, ScenesAreChecked) {
   EXPECT_EQ(error_of(constant(0.1), scene_to(75, 0)).field, "scene.tolerance");
 }
 
+TEST(HostileSelection, ColourDifferencesAreOfColours) {
+  const Pairs at = scattered_pairs(1000, 1);
+  const auto two = fit::from_pairs(at.wi, at.wo, Numbers(2000, 0.1), 2, at.weights);
+  select::Scene scene = scene_to(75, 1);
+  scene.metric = select::Metric::delta_e;
+  const Error error = error_of(*two, scene);
+  EXPECT_EQ(error.field, "scene.metric");
+  EXPECT_EQ(error.value, "delta_e of 2 channels");
+}
+
 TEST(HostileSelection, OptionsAreChecked) {
   const auto with = [](const auto& change) {
     select::Options options = trial_options(1);

@@ -1,0 +1,35 @@
+#include "client/cli/chart/arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+namespace gonio::cli {
+
+bool ChartArguments::wants(const std::string& part) const {
+  return parts.empty() || std::ranges::find(parts, part) != parts.end();
+}
+
+void add_chart_options(CLI::App& command, ChartArguments& arguments) {
+  command
+      .add_option("-o,--output", arguments.folder,
+                  "The folder for all of it; made if it is not there")
+      ->type_name("DIR")
+      ->required();
+  command
+      .add_option(
+          "--data", arguments.data,
+          "A measured material for fits and resolution: a file as 'gonio fit' reads it, or the "
+          "name of a server's; without one, a glossy paint is made up")
+      ->type_name("FILE");
+  command.add_flag("--deg", arguments.degrees, "A CSV's angles are in degrees, not radians");
+  command.add_option("--parts", arguments.parts, "Only these, separated by commas")
+      ->type_name("PART")
+      ->delimiter(',')
+      ->check(
+          CLI::IsMember({"models", "fits", "approximations", "wire", "sampling", "resolution"}));
+  add_connection_options(command, arguments.connection);
+  command.add_flag("--quick", arguments.quick, "Fewer and shorter repetitions: rough times");
+  command.add_flag("--quiet,-q", arguments.quiet, "No progress bar, and do not list the files");
+}
+
+}  // namespace gonio::cli

@@ -1,0 +1,39 @@
+// The figures of a chart's tables. Thread safety: functions without state.
+#pragma once
+
+#include <vector>
+
+#include "chart/table.h"
+#include "client/cli/chart/figure.h"
+
+namespace gonio::cli {
+
+// Of one table, by its name; none of one that only holds numbers.
+std::vector<Figure> figures_of(const chart::Table& table);
+
+// What several of them have in common.
+inline constexpr const char* kBlue = "#1f5faa";
+inline constexpr const char* kGreen = "#2a8a57";
+inline constexpr const char* kAmber = "#d08a1d";
+inline constexpr const char* kRed = "#c0504d";
+inline constexpr const char* kPurple = "#7d4ba0";
+inline constexpr const char* kGrey = "#6b7680";
+
+inline constexpr const char* kInk = "#333333";
+
+Figure models_figure(const chart::Table& table);
+Figure fits_figure(const chart::Table& table);
+Figure fresnel_figure(const chart::Table& table);
+Figure fresnel_angles_figure(const chart::Table& table);
+Figure printed_figure(const chart::Table& table);
+Figure wire_figure(const chart::Table& table);
+Figure directions_figure(const chart::Table& table);
+Figure sampling_figure(const chart::Table& table);
+Figure resolution_figure(const chart::Table& table);
+
+// All numbers of a column.
+std::vector<double> numbers_of(const chart::Table& table, std::string_view column);
+// The Pareto front of two columns, of all rows.
+Front front_of(const chart::Table& table, std::string_view x, std::string_view y);
+
+}  // namespace gonio::cli

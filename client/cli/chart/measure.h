@@ -1,0 +1,13 @@
+// Measures the parts of a chart. Thread safety: a function without state.
+#pragma once
+
+#include "base/result.h"
+#include "client/cli/chart/arguments.h"
+#include "client/cli/chart/tables.h"
+
+namespace gonio::cli {
+
+// The parts that are wanted, one after the other. Errors name the file of --data.
+Result<Chart> measure(const ChartArguments& arguments);
+
+}  // namespace gonio::cli

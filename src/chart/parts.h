@@ -1,0 +1,47 @@
+// The parts of a chart by their names, all in one call: what the command line and the server run.
+// Thread safety: as chart.h.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "chart/chart.h"
+
+namespace gonio::chart {
+
+struct Part {
+  std::string_view name;  // "models"
+  bool of_a_material;     // about what was measured of one
+};
+
+// "models", "fits", "approximations", "directions", "sampling", "resolution".
+std::span<const Part> all_parts();
+
+struct Wanted {
+  std::vector<std::string> parts;    // by name; empty: all
+  std::optional<Measured> measured;  // not given: example_table()
+};
+
+// Whether the parts exist and the effort is within its bounds (1 to 1000 repetitions of up to 0.1
+// s, 1 to 100,000 pairs). Errors name the field: "parts[1]", "repetitions", "seconds", "pairs".
+Outcome check(const std::vector<std::string>& parts, const Options& options);
+
+// Whether one of the wanted parts needs a material.
+bool needs_material(const std::vector<std::string>& parts);
+
+// The tables of the wanted parts in the order of all_parts(). `progress` is called with a part's
+// name and how much of the whole is done; Options::progress is not. Without a table in `measured`
+// there is no resolution. Errors: as check(); "parts" where resolution is asked for by name and
+// there is no table; `cancelled`.
+Result<std::vector<Table>> measure(
+    const Wanted& wanted, const Options& options,
+    const std::function<void(std::string_view part, double done)>& progress = {});
+
+// About what it holds at most, beside the measured data.
+std::size_t memory_of(const std::vector<std::string>& parts);
+
+}  // namespace gonio::chart
