@@ -40,8 +40,9 @@ Outcome check_light(const fit::Data& data) {
 
 Sets cut(const fit::Data& data, std::span<const std::size_t> order, const SetSizes& sizes) {
   const std::size_t all = std::min(order.size(), sizes.total());
-  const auto share = [&](std::size_t size) { return size * all / sizes.total(); };
-  const std::size_t fitted = share(sizes.fitted), validation = share(sizes.validation);
+  const std::size_t fitted = std::min(sizes.fitted, all / 3), judged = all - fitted;
+  const std::size_t validation =
+      judged * sizes.validation / (sizes.validation + sizes.certification);
   return {fit::pick(data, order.subspan(0, fitted), 1),
           fit::pick(data, order.subspan(fitted, validation), 1),
           fit::pick(data, order.subspan(fitted + validation, all - fitted - validation), 1)};

@@ -22,8 +22,9 @@ struct Sets {
 };
 
 // Measured pairs, each weighed by what it stands for times the scene's density there, put into an
-// order by `seed` that means nothing. Of fewer pairs than `sizes` asks for each set gets its share.
-// Error: "reference", with what was left out, where fewer than 200 are in the scene.
+// order by `seed` that means nothing. Of fewer pairs than `sizes` asks for a third is fitted to, if
+// that is not more than asked for, and the other sets share the rest. Error: "reference", with what
+// was left out, where fewer than 200 are in the scene.
 Result<Sets> sets_of(const fit::Data& data, const Distribution& scene, const SetSizes& sizes,
                      std::uint64_t seed, const Stop& stop = {});
 
