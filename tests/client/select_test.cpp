@@ -129,7 +129,7 @@ TEST(SelectWords, NearMissesAreRefused) {
     ASSERT_FALSE(found.ok()) << name;
     EXPECT_EQ(found.error().field, "scene.metric");
     EXPECT_EQ(found.error().value, '"' + std::string(name) + '"');
-    EXPECT_EQ(found.error().allowed, "l1, rmse, log, cbrt");
+    EXPECT_EQ(found.error().allowed, "l1, rmse, log, cbrt, delta_e");
   }
   EXPECT_EQ(client::cost_of("NS").error().allowed, "ns, bytes, ns_variance");
   EXPECT_EQ(client::lights_of("sun").error().allowed, "directional, environment");
