@@ -1,6 +1,8 @@
 #include "select/reference.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <string>
 
@@ -36,6 +38,32 @@ Outcome check_light(const fit::Data& data) {
       std::all_of(data.values.begin(), data.values.end(), [](float value) { return !(value > 0); });
   if (!dark) return Ok{};
   return bad_value("reference", "0 everywhere in the scene", "values of which some are above 0");
+}
+
+// Do all wi lie in one plane with the normal?
+bool of_one_azimuth(const fit::Data& data) {
+  constexpr float kNone = 1e-4F;
+  std::size_t lowest = 0;
+  for (std::size_t i = 1; i < data.size(); ++i) {
+    if (data.wi[2][i] < data.wi[2][lowest]) lowest = i;
+  }
+  const float x = data.wi[0][lowest], y = data.wi[1][lowest];
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    if (std::abs(data.wi[0][i] * y - data.wi[1][i] * x) > kNone) return false;
+  }
+  return true;
+}
+
+// Each pair about the normal, anywhere.
+void turn(fit::Data& data, std::mt19937_64& random) {
+  std::uniform_real_distribution<float> turned(0, 2 * std::numbers::pi_v<float>);
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    const float by = turned(random), c = std::cos(by), s = std::sin(by);
+    for (auto* w : {&data.wi, &data.wo}) {
+      const float x = (*w)[0][i], y = (*w)[1][i];
+      (*w)[0][i] = c * x - s * y, (*w)[1][i] = s * x + c * y;
+    }
+  }
 }
 
 Sets cut(const fit::Data& data, std::span<const std::size_t> order, const SetSizes& sizes) {
@@ -113,6 +141,7 @@ Result<Sets> sets_of(const fit::Data& data, const Distribution& scene, const Set
   fit::Data kept = fit::pick(data, inside, 1);
   for (std::size_t i = 0; i < inside.size(); ++i) kept.weights[i] = weights[inside[i]];
   if (auto light = check_light(kept); !light) return light.error();
+  if (of_one_azimuth(kept)) turn(kept, random);
   std::vector<std::size_t> order(inside.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   return cut(kept, order, sizes);

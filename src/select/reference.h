@@ -23,8 +23,10 @@ struct Sets {
 
 // Measured pairs, each weighed by what it stands for times the scene's density there, put into an
 // order by `seed` that means nothing. Of fewer pairs than `sizes` asks for a third is fitted to, if
-// that is not more than asked for, and the other sets share the rest. Error: "reference", with what
-// was left out, where fewer than 200 are in the scene.
+// that is not more than asked for, and the other sets share the rest. Pairs whose wi all lie in one
+// plane with the normal say nothing of the surface turned: each is turned at random, so that no
+// anisotropy is fitted to them. Errors: "reference", with what was left out, where fewer than 200
+// are in the scene; cancelled.
 Result<Sets> sets_of(const fit::Data& data, const Distribution& scene, const SetSizes& sizes,
                      std::uint64_t seed, const Stop& stop = {});
 

@@ -5,7 +5,9 @@
 //   select_bench confidence [N]  N (400) choices at tolerances next to what they err by: how many
 //                                miss it on fresh directions, at 95 % confidence
 //   select_bench coverage [N]    N (400) bounds for each truth: how many are too low
-//   select_bench materials       choices on measured materials at three tolerances, as Markdown
+//   select_bench materials [X]   choices on measured materials at three tolerances, as Markdown;
+//   only
+//                                those with X in their names
 //   select_bench views           choices for views near the normal and grazing ones, and why
 #include <algorithm>
 #include <cmath>
@@ -102,7 +104,7 @@ int run(int argc, char** argv) {
   if (mode == "trials") return trials(or_else(100)) ? 0 : 1;
   if (mode == "confidence") return confidence(or_else(400)) ? 0 : 1;
   if (mode == "coverage") return coverage(or_else(400)) ? 0 : 1;
-  if (mode == "materials") return print_choices() ? 0 : 1;
+  if (mode == "materials") return print_choices(argc > 2 ? argv[2] : "") ? 0 : 1;
   if (mode == "views") return print_by_view() ? 0 : 1;
   std::fprintf(stderr, "usage: select_bench trials|confidence|coverage|materials|views [N]\n");
   return 2;

@@ -154,7 +154,7 @@ std::string line(const Measured& of, double tolerance, const select::Selection& 
 
 }  // namespace
 
-bool print_choices() {
+bool print_choices(std::string_view part) {
   std::string details =
       "| material | tolerance | choice | its error, certified | costs | the measured table | "
       "best-fitting "
@@ -163,6 +163,7 @@ bool print_choices() {
       "| material | 5 %% | 10 %% | 20 %% | always the best-fitting model | always the table "
       "|\n|---|---|---|---|---|---|\n");
   for (const Measured& of : measured()) {
+    if (of.name.find(part) == std::string::npos) continue;
     std::string row = "| " + of.name;
     std::optional<select::Selection> front;
     for (const double tolerance : kTolerances) {

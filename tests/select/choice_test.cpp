@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "fit/metrics.h"
@@ -149,6 +150,31 @@ TEST(Choice, TakesFloat64OnlyWhereItBuysSomething) {
   scene.tolerance *= 10;
   const auto usual = chosen(varnished(), scene, options);
   EXPECT_EQ(usual.choice->precision, Precision::fast) << usual.reason;
+}
+
+// A goniometer that holds the light in one plane sees nothing of a surface turned: a lobe that is
+// wider along than across the plane is no reason for an anisotropic material.
+TEST(Choice, SeesNoAnisotropyInOnePlane) {
+  Pairs pairs = scattered_pairs(6000, 1);
+  for (std::size_t i = 0; i < pairs.weights.size(); ++i) {
+    double *wi = &pairs.wi[3 * i], *wo = &pairs.wo[3 * i];
+    const double r = std::hypot(wi[0], wi[1]), c = wi[0] / r, s = wi[1] / r;
+    const double x = c * wo[0] + s * wo[1], y = c * wo[1] - s * wo[0];
+    wi[0] = r, wi[1] = 0, wo[0] = x, wo[1] = y;
+  }
+  const MaterialSpec stretched{
+      LobeSpec{"ggx", {{"alpha_x", Numbers{0.2}}, {"alpha_y", Numbers{0.4}}, {"fresnel", "none"}}},
+      {},
+      {}};
+  select::Options options = trial_options(1);
+  options.lobes = 1;
+  const auto found = select::choose(data_of(stretched, pairs), scene_to(75, 0.02), options);
+  ASSERT_TRUE(found.ok()) << found.error().message;
+  for (const select::Entry& entry : found->entries) {
+    if (entry.name.ends_with(", anisotropic")) {
+      EXPECT_FALSE(entry.on_front) << entry.name;
+    }
+  }
 }
 
 TEST(Choice, IsTheSameForTheSameSeed) {
