@@ -129,11 +129,12 @@ TEST(SelectWords, NearMissesAreRefused) {
     ASSERT_FALSE(found.ok()) << name;
     EXPECT_EQ(found.error().field, "scene.metric");
     EXPECT_EQ(found.error().value, '"' + std::string(name) + '"');
-    EXPECT_EQ(found.error().allowed, "l1, rmse, log, cbrt");
+    EXPECT_EQ(found.error().allowed, "l1, rmse, log, cbrt, delta_e");
   }
   EXPECT_EQ(client::cost_of("NS").error().allowed, "ns, bytes, ns_variance");
   EXPECT_EQ(client::lights_of("sun").error().allowed, "directional, environment");
   EXPECT_EQ(*client::metric_of("cbrt"), client::SelectMetric::cbrt);
+  EXPECT_EQ(*client::metric_of("delta_e"), client::SelectMetric::delta_e);
   EXPECT_EQ(*client::cost_of("ns_variance"), client::SelectCost::ns_variance);
   EXPECT_EQ(*client::lights_of("environment"), client::SelectLights::environment);
 }
