@@ -90,14 +90,14 @@ Result<SelectTask> select_task(v1::SelectRequest request, const Materials& mater
     auto material = materials.resolve(request.material().SerializeAsString());
     if (!material) return material.error();
     task.material = std::move(*material);
-    task.bytes = memory_of(task.material->material().channels(), task.options);
+    task.bytes = memory_of(task.material->material().channels(), task.scene, task.options);
     return task;
   }
   if (!request.has_pairs()) return bad_value("reference", "not given", "a material or pairs");
   if (auto good = check_pairs(request.pairs()); !good) return good.error();
   task.pairs = std::move(*request.mutable_pairs());
   const std::size_t channels = task.pairs.channels();
-  task.bytes = memory_of(static_cast<int>(channels), task.options) +
+  task.bytes = memory_of(static_cast<int>(channels), task.scene, task.options) +
                static_cast<std::size_t>(task.pairs.wi_size()) / 3 * bytes_of_pair(channels);
   return task;
 }

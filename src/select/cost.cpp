@@ -12,6 +12,7 @@
 namespace gonio::select {
 namespace {
 
+constexpr std::size_t kTable = std::size_t{1} << 20, kManyPairs = 65'536;
 constexpr std::size_t kIncident = 64, kSamples = 256;  // of the second moment
 
 Result<double> ns_from(const CostTable& table, const std::vector<std::string>& parts) {
@@ -34,11 +35,15 @@ Result<std::vector<double>> measured_ns(const std::vector<Priced>& priced,
   int channels = 1;
   for (const Priced& one : priced) channels = std::max(channels, one.material.channels());
   const auto pairs = std::make_shared<timing::Pairs>(timing::kTimedPairs, channels);
+  std::shared_ptr<timing::Pairs> many;  // for tables, of which fewer pairs' cells stay in cache
   std::map<std::vector<std::string>, std::size_t> places;
   std::vector<timing::Runner> runners;
   for (const Priced& one : priced) {
-    if (places.emplace(one.parts, runners.size()).second)
-      runners.push_back(timing::evaluation(pairs, one.material, Precision::fast, best_isa()));
+    if (!places.emplace(one.parts, runners.size()).second) continue;
+    const bool table = one.material.bytes() > kTable;
+    if (table && !many) many = std::make_shared<timing::Pairs>(kManyPairs, channels);
+    runners.push_back(
+        timing::evaluation(table ? many : pairs, one.material, Precision::fast, best_isa()));
   }
   const auto seconds = timing::race(runners, kEffort, stop);
   if (stop && stop()) return Error{ErrorCode::cancelled, "the selection was stopped", {}, {}, {}};

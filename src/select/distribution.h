@@ -19,19 +19,29 @@ class Distribution {
  public:
   explicit Distribution(const Scene& scene);  // one that check() has passed
 
-  // Of pairs, per sr^2; the integral over all pairs is 1. The edges of a bin belong to it, so that
-  // what lies on one between two bins counts in both.
+  // Of pairs, per sr^2; the integral over all pairs is 1. An edge between two bins belongs to one
+  // of them, those at the scene's ends to the scene, give or take a rounding of float32. Where wi
+  // or wo is the normal there is no azimuth, and the density is the mean over phi.
   [[nodiscard]] double density(const Direction& wi, const Direction& wo) const;
   // Of wi alone, per sr.
   [[nodiscard]] double incident_density(const Direction& wi) const;
   Pair draw(std::mt19937_64& random) const;
 
  private:
-  struct Box {  // cosines and angles
-    double ci_lower, ci_upper, co_lower, co_upper, phi_lower, phi_upper;
+  struct Interval {  // without its lower end
+    double lower, upper;
+    [[nodiscard]] bool holds(double x) const { return x > lower && x <= upper; }
+    [[nodiscard]] double length() const { return upper - lower; }
+  };
+  struct Box {
+    Interval ci, co, phi;  // cosines, and the angle
     double density, incident;
   };
-  std::vector<Box> boxes_;
+  // Moves the ends that all boxes have together outwards by `edge`.
+  void widen(Interval Box::*interval, double edge);
+
+  std::vector<Box> inside_;    // what belongs to a box
+  std::vector<Box> boxes_;     // what is drawn
   std::vector<double> up_to_;  // the shares of the boxes, summed
 };
 

@@ -48,7 +48,9 @@ std::vector<Band> bands_of(const Material& material, const Blocks& blocks, const
   for (const Ratio& block : errors_of(material, blocks, scene.metric)) all += block.numerator;
   std::vector<Band> bands;
   for (std::size_t i = 1; i < kLimits.size(); ++i) {
-    const Blocks inner = within(blocks, kLimits[i]);
+    // The last band takes all: what lies on the scene's edge belongs to it.
+    const bool last = radians(kLimits[i]) >= largest_angle(scene) - 1e-9;
+    const Blocks inner = last ? blocks : within(blocks, kLimits[i]);
     const auto errors = errors_of(material, inner, scene.metric);
     double sum = 0;
     for (const Ratio& block : errors) sum += block.numerator;
@@ -57,7 +59,7 @@ std::vector<Band> bands_of(const Material& material, const Blocks& blocks, const
     bands.push_back({kLimits[i - 1], kLimits[i], all > 0 ? (sum - before) / all : 0,
                      bounded(errors, scene.metric, kWorthTrying), pairs});
     before = sum;
-    if (radians(kLimits[i]) >= largest_angle(scene) - 1e-9) break;
+    if (last) break;
   }
   return bands;
 }

@@ -27,10 +27,13 @@ Outcome check(const Options& options) {
   return Ok{};
 }
 
-// The draws of a material in float64, then the sets, and their blocks beside them.
-std::size_t memory_of(int channels, const Options& options) {
+// The scene's bins; the draws of a material in float64, then the sets, and their blocks beside
+// them.
+std::size_t memory_of(int channels, const Scene& scene, const Options& options) {
   constexpr std::size_t kPair = 160, kValue = 28, kFits = std::size_t{16} << 20;
-  return kFits + options.sizes.total() * (kPair + kValue * static_cast<std::size_t>(channels));
+  constexpr std::size_t kBin = 512;  // and its message
+  return kFits + kBin * scene.bins.size() +
+         options.sizes.total() * (kPair + kValue * static_cast<std::size_t>(channels));
 }
 
 }  // namespace gonio::select

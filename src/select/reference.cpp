@@ -10,6 +10,9 @@ namespace gonio::select {
 namespace {
 
 constexpr std::size_t kFewestPairs = 200;
+constexpr std::size_t kAsked = 1024;  // so often: a density goes through all bins
+
+Error stopped() { return {ErrorCode::cancelled, "the selection was stopped", {}, {}, {}}; }
 
 Direction direction(const std::array<std::vector<float>, 3>& w, std::size_t i) {
   return {static_cast<double>(w[0][i]), static_cast<double>(w[1][i]), static_cast<double>(w[2][i])};
@@ -37,8 +40,9 @@ Outcome check_light(const fit::Data& data) {
 
 Sets cut(const fit::Data& data, std::span<const std::size_t> order, const SetSizes& sizes) {
   const std::size_t all = std::min(order.size(), sizes.total());
-  const auto share = [&](std::size_t size) { return size * all / sizes.total(); };
-  const std::size_t fitted = share(sizes.fitted), validation = share(sizes.validation);
+  const std::size_t fitted = std::min(sizes.fitted, all / 3), judged = all - fitted;
+  const std::size_t validation =
+      judged * sizes.validation / (sizes.validation + sizes.certification);
   return {fit::pick(data, order.subspan(0, fitted), 1),
           fit::pick(data, order.subspan(fitted, validation), 1),
           fit::pick(data, order.subspan(fitted + validation, all - fitted - validation), 1)};
@@ -66,32 +70,36 @@ void redraw_half(const Sampler& sampler, std::size_t count, std::uint64_t seed, 
 }
 
 void evaluate_draws(const Sampler& sampler, const Distribution& scene, std::size_t count,
-                    Draws& draws) {
+                    const Stop& stop, Draws& draws) {
   const int channels = sampler.material().channels();
   const std::vector<float> wi = narrow(draws.wi), wo = narrow(draws.wo);
   draws.values.resize(count * static_cast<std::size_t>(channels));
   std::vector<double> pdf(count);
+  std::vector<std::uint8_t> flags(count);
   evaluate(sampler,
            Batch<float, double>{
                Directions<float>::interleaved(wi.data()), Directions<float>::interleaved(wo.data()),
-               count, Values<double>::interleaved(draws.values.data(), channels), nullptr},
+               count, Values<double>::interleaved(draws.values.data(), channels), flags.data()},
            pdf.data(), best_isa());
-  for (std::size_t i = 0; i < count; ++i) {
+  draws.weights.assign(count, 0);
+  for (std::size_t i = 0; i < count && !(i % kAsked == 0 && stop && stop()); ++i) {
+    if (flags[i] != 0) continue;  // below the horizon, or a hole in a table: nothing is known there
     const Direction in{draws.wi[3 * i], draws.wi[3 * i + 1], draws.wi[3 * i + 2]};
     const Direction out{draws.wo[3 * i], draws.wo[3 * i + 1], draws.wo[3 * i + 2]};
     const double of_scene = scene.density(in, out) / scene.incident_density(in);
-    draws.weights.push_back(of_scene / (0.5 * of_scene + 0.5 * pdf[i]));
+    if (of_scene > 0) draws.weights[i] = of_scene / (0.5 * of_scene + 0.5 * pdf[i]);
   }
 }
 
 }  // namespace
 
 Result<Sets> sets_of(const fit::Data& data, const Distribution& scene, const SetSizes& sizes,
-                     std::uint64_t seed) {
+                     std::uint64_t seed, const Stop& stop) {
   std::vector<std::size_t> inside;
   std::vector<float> weights(data.size(), 0);
   double sum = 0;
   for (std::size_t i = 0; i < data.size(); ++i) {
+    if (i % kAsked == 0 && stop && stop()) return stopped();
     const double density = scene.density(direction(data.wi, i), direction(data.wo, i));
     if (!(density > 0)) continue;
     inside.push_back(i);
@@ -111,7 +119,7 @@ Result<Sets> sets_of(const fit::Data& data, const Distribution& scene, const Set
 }
 
 fit::Data draw_pairs(const Material& reference, const Distribution& scene, std::size_t count,
-                     std::uint64_t seed) {
+                     std::uint64_t seed, const Stop& stop) {
   std::mt19937_64 random(seed);
   const Sampler sampler = Sampler::create(reference);
   Draws draws;
@@ -121,7 +129,7 @@ fit::Data draw_pairs(const Material& reference, const Distribution& scene, std::
     draws.wo.insert(draws.wo.end(), pair.wo.begin(), pair.wo.end());
   }
   redraw_half(sampler, count, seed, draws);
-  evaluate_draws(sampler, scene, count, draws);
+  evaluate_draws(sampler, scene, count, stop, draws);
   // What the sampler drew outside the scene, or lost, has weight 0 and is left out. Its place in
   // the mean is kept: what is left out is so at random, the same for all candidates.
   fit::Data data =
@@ -136,8 +144,9 @@ fit::Data draw_pairs(const Material& reference, const Distribution& scene, std::
 }
 
 Result<Sets> sets_of(const Material& reference, const Distribution& scene, const SetSizes& sizes,
-                     std::uint64_t seed) {
-  const fit::Data data = draw_pairs(reference, scene, sizes.total(), seed);
+                     std::uint64_t seed, const Stop& stop) {
+  const fit::Data data = draw_pairs(reference, scene, sizes.total(), seed, stop);
+  if (stop && stop()) return stopped();
   if (data.size() < kFewestPairs) return too_few(data.size(), data);
   if (auto light = check_light(data); !light) return light.error();
   std::vector<std::size_t> order(data.size());

@@ -56,6 +56,7 @@ Outcome check_counts(std::span<const double> counts, std::size_t expected) {
     if (!(count >= 0) || !std::isfinite(count)) return bad_value(field, number(count), "0 or more");
     sum += count;
   }
+  if (!std::isfinite(sum)) return bad_value(field, "a sum beyond 1e308", "a finite sum");
   if (sum > 0) return Ok{};
   return bad_value(field, "all 0", "at least one above 0");
 }
@@ -71,11 +72,18 @@ fit::Objective objective_of(Metric metric) {
 Outcome check(const Scene& scene) {
   if (scene.bins.empty())
     return bad_value("scene", "empty", "ranges theta_i and theta_o, or a histogram of angles");
+  if (scene.bins.size() > kMostBins)
+    return bad_value("scene.bins", std::to_string(scene.bins.size()) + " bins",
+                     "at most " + std::to_string(kMostBins));
   for (std::size_t i = 0; i < scene.bins.size(); ++i) {
     const std::string prefix =
         scene.bins.size() == 1 ? "scene." : "scene.bins[" + std::to_string(i) + "].";
     if (auto ok = check(scene.bins[i], prefix); !ok) return ok;
   }
+  double sum = 0;
+  for (const Bin& bin : scene.bins) sum += bin.weight;
+  if (!std::isfinite(sum))
+    return bad_value("scene.bins", "weights of a sum beyond 1e308", "a finite sum");
   if (!(scene.tolerance > 0) || !std::isfinite(scene.tolerance))
     return bad_value("scene.tolerance", number(scene.tolerance), "above 0, of the metric");
   if (!(scene.confidence >= 0.5 && scene.confidence <= 0.9999))

@@ -47,6 +47,8 @@ struct Bin {
   double weight = 1;  // how often such pairs occur; of all bins, any unit
 };
 
+inline constexpr std::size_t kMostBins = 50'000;  // 36 x 36 x 36 and some
+
 struct Scene {
   std::vector<Bin> bins;  // one for plain ranges, many for a histogram that a renderer logged
   Lights lights = Lights::directional;

@@ -20,7 +20,7 @@ Result<Selection> choose_for(const Reference& reference, const Material* itself,
   if (auto ok = check(scene); !ok) return ok.error();
   if (auto ok = check(options); !ok) return ok.error();
   const Distribution distribution(scene);
-  const auto sets = sets_of(reference, distribution, options.sizes, options.seed);
+  const auto sets = sets_of(reference, distribution, options.sizes, options.seed, options.stop);
   if (!sets) return sets.error();
   if (auto ok = check(scene.metric, sets->fitted.channels); !ok) return ok.error();
   return choose_from(itself, Task{scene, distribution, *sets, options});

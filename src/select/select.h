@@ -9,10 +9,12 @@
 // distribution (reference.h). Each candidate (candidates.h) is fitted to the first. From the
 // cheapest up, and of equal costs from the fewest parameters up, the second set decides
 //
-//   - who is on the front: who errs less than all cheaper ones by more than chance. The difference
-//     of two errors over the same pairs, with the standard error of a jackknife over blocks of
-//     pairs, must be below 0 with 99 % confidence; a parameter, a lobe or an anisotropy that adds
-//     nothing leaves its candidate behind the simpler one.
+//   - who is on the front: who errs less than the front's last by more than chance, and by more
+//   than
+//     a hundredth of the tolerance. The difference of two errors over the same pairs, with the
+//     standard error of a jackknife over blocks of pairs, must be below 0 with 99 % confidence; a
+//     parameter, a lobe or an anisotropy that adds nothing leaves its candidate behind the simpler
+//     one.
 //   - who is worth trying: whose error's upper bound (95 %) is below the tolerance.
 //
 // The first of these is rounded to as few digits as cost no more than a hundredth of the tolerance,
@@ -88,7 +90,7 @@ bool has_model(const MaterialSpec& material);
 // Are they options? Errors name "options....".
 Outcome check(const Options& options);
 // About what a selection from a reference of so many channels holds, in bytes.
-std::size_t memory_of(int channels, const Options& options);
+std::size_t memory_of(int channels, const Scene& scene, const Options& options);
 
 // Errors: invalid_argument naming "scene...", "options..." or "reference" (too few usable pairs in
 // the scene, nothing that reflects); cancelled. That nothing is good enough is no error.

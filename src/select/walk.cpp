@@ -10,11 +10,11 @@ namespace gonio::select {
 namespace {
 
 constexpr double kFrontConfidence = 0.99;
-constexpr double kRoundingShare = 0.01;  // of the tolerance
+constexpr double kShare = 0.01;  // of the tolerance: what does not matter to a scene
 
-std::string number(double x) {
+std::string number(double x, int digits = 3) {
   char text[32];
-  std::snprintf(text, sizeof(text), "%.3g", x);
+  std::snprintf(text, sizeof(text), "%.*g", digits, x);
   return text;
 }
 
@@ -39,7 +39,11 @@ void Walk::place_on_front(Tried& tried) {
     const double degrees = static_cast<double>(best_.size()) - 1;
     const double upper =
         difference.value + difference.standard_error * student_quantile(kFrontConfidence, degrees);
-    if (!(upper < 0)) {
+    const auto value = [this](const std::vector<Ratio>& errors) {
+      return root_if_square(estimate(errors).value, scene_.metric);
+    };
+    const double gain = value(best_) - value(tried.errors);
+    if (!(upper < 0 && gain > kShare * scene_.tolerance)) {
       entry.remark = "no better than " + best_name_;
       if (!entry.at_bounds.empty())
         entry.remark += "; at a bound: " + without_numbers(entry.at_bounds);
@@ -57,7 +61,7 @@ Choice Walk::rounded_choice(const Tried& tried, std::size_t index) const {
   choice.entry = index;
   choice.material = tried.entry.material;
   if (has_model(tried.form)) {
-    const double most = tried.entry.error.value + kRoundingShare * scene_.tolerance;
+    const double most = tried.entry.error.value + kShare * scene_.tolerance;
     for (int digits = kFewestDigits; digits <= kMostDigits; ++digits) {
       const MaterialSpec spec = rounded(tried.entry.material, digits);
       const auto material = Material::create(spec);
@@ -120,7 +124,7 @@ Selection Walk::finish() && {
   const Choice& choice = *found.choice;
   std::string reason = found.entries[choice.entry].name + " has an error of " +
                        number(choice.error.value) + ", at most " + number(choice.error.upper) +
-                       " with " + number(100 * choice.confidence) +
+                       " with " + number(100 * choice.confidence, 6) +
                        " % confidence; the tolerance is " + number(scene_.tolerance);
   reason += nearest_ ? ". The best of what costs less, " + why : ". Nothing costs less";
   selection_.reason = reason;

@@ -107,7 +107,9 @@ const select::Entry& best_fitting(const select::Selection& found) {
 }
 
 std::string costs(const select::Entry& entry) {
-  return text("%.1f ns, ", entry.ns) + std::to_string(entry.bytes) + " B";
+  const auto bytes = static_cast<double>(entry.bytes);
+  return text("%.1f ns, ", entry.ns) +
+         (bytes < 1e6 ? text("%.1f kB", 1e-3 * bytes) : text("%.1f MB", 1e-6 * bytes));
 }
 
 std::string error(const select::Bounded& error) {
@@ -119,6 +121,7 @@ std::string error(const select::Bounded& error) {
 std::string cell(const select::Selection& found) {
   if (!found.choice) return "nothing";
   const select::Entry& entry = found.entries[found.choice->entry];
+  if (!select::has_model(entry.material)) return "the table itself";
   return entry.name + "<br>" + text("%.1f %%, at most ", 100 * found.choice->error.value) +
          text("%.1f<br>", 100 * found.choice->error.upper) + costs(entry);
 }
@@ -178,8 +181,7 @@ bool print_choices() {
 }
 
 bool print_by_view() {
-  std::printf(
-      "| material | views up to 20 degrees | views up to 85 degrees |\n|---|---|---|\n");
+  std::printf("| material | views up to 20 degrees | views up to 85 degrees |\n|---|---|---|\n");
   std::string reasons;
   for (const Measured& of : measured()) {
     if (!std::holds_alternative<Material>(of.reference)) continue;

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "fit/synthetic.h"
+#include "measured/synthetic_merl.h"
+#include "measured/table.h"
 #include "select/trials.h"
 
 namespace gonio::testing {
@@ -37,6 +39,25 @@ TEST(HostileSelection, ReferenceOfNaN) {
 
 TEST(HostileSelection, ReferenceThatIsNotMeasured) {
   EXPECT_THAT(error_of(constant(-1)).value, HasSubstr("1000 negative"));
+}
+
+// A table of a diffuse surface, of which a goniometer saw nothing beyond 50 degrees of difference:
+// a diffuse model is right where something is known.
+TEST(HostileSelection, HolesOfATableSayNothing) {
+  const auto values = tabulate([](double, double theta_d, double) {
+    const double f = theta_d > 0.87 ? -1 : 0.15;
+    return Rgb{f, f, f};
+  });
+  const auto table = MeasuredTable::from_values(values);
+  ASSERT_TRUE(table.ok());
+  select::Options options = trial_options(1);
+  options.costs["reference"] = 1000;
+  const auto found = select::choose(Material::from_table(*table, Interpolation::linear),
+                                    scene_to(75, 0.05), options);
+  ASSERT_TRUE(found.ok()) << found.error().message;
+  ASSERT_TRUE(found->choice);
+  EXPECT_EQ(found->entries[found->choice->entry].name, "lambertian");
+  EXPECT_LT(found->choice->error.upper, 0.02);
 }
 
 TEST(HostileSelection, ReferenceThatReflectsNothing) {

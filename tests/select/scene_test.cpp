@@ -13,6 +13,7 @@
 namespace gonio::testing {
 namespace {
 
+using select::Direction;
 using std::numbers::pi;
 using ::testing::HasSubstr;
 
@@ -64,6 +65,65 @@ TEST(Scene, HistogramsBecomeBins) {
   EXPECT_EQ(field(select::bins_of({0, 1}, {0, 1}, {0, 1}, {1, 2})), "scene.histogram.counts");
   EXPECT_EQ(field(select::bins_of({0, 1}, {0, 1}, {0, 1}, {0})), "scene.histogram.counts");
   EXPECT_EQ(field(select::bins_of({0, 1}, {0, 1}, {0, 1}, {-1})), "scene.histogram.counts");
+  EXPECT_EQ(field(select::bins_of({0, 0.5, 1}, {0, 1}, {0, 1}, {1e308, 1e308})),
+            "scene.histogram.counts");
+}
+
+TEST(Scene, HasOnlySoManyBins) {
+  select::Scene scene = scene_to(60, 0.1);
+  scene.bins.resize(select::kMostBins, scene.bins.front());
+  EXPECT_TRUE(check(scene).ok());
+  scene.bins.push_back(scene.bins.front());
+  EXPECT_EQ(check(scene).error().field, "scene.bins");
+}
+
+Direction direction(double theta, double phi) {
+  const auto rounded = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+  return {rounded(std::sin(theta) * std::cos(phi)), rounded(std::sin(theta) * std::sin(phi)),
+          rounded(std::cos(theta))};
+}
+
+// One range, cut into bins of the same density whose edges are where a goniometer measures: what
+// lies on them counts once, and the range's ends belong to it.
+TEST(Distribution, OfBinsIsThatOfTheWhole) {
+  select::Scene whole = scene_to(75, 0.1), cut = whole;
+  cut.bins.clear();
+  const double degree = pi / 180;
+  for (const auto& [i, j] : {std::pair{0.0, 30.0}, {30.0, 75.0}}) {
+    for (const auto& [k, l] : {std::pair{0.0, 45.0}, {45.0, 75.0}}) {
+      for (const auto& [m, n] : {std::pair{0.0, 90.0}, {90.0, 180.0}}) {
+        const double size = (std::cos(i * degree) - std::cos(j * degree)) *
+                            (std::cos(k * degree) - std::cos(l * degree)) * (n - m);
+        cut.bins.push_back(
+            {{i * degree, j * degree}, {k * degree, l * degree}, {m * degree, n * degree}, size});
+      }
+    }
+  }
+  const select::Distribution one(whole), many(cut);
+  for (int i = 0; i <= 75; i += 15) {
+    for (int o = 0; o <= 75; o += 15) {
+      for (int phi = 0; phi <= 180; phi += 45) {
+        const Direction wi = direction(i * degree, 0.3),
+                        wo = direction(o * degree, 0.3 + phi * degree);
+        const double density = one.density(wi, wo);
+        EXPECT_GT(density, 0) << i << " " << o << " " << phi;
+        EXPECT_NEAR(many.density(wi, wo), density, 1e-9 * density) << i << " " << o << " " << phi;
+      }
+    }
+  }
+}
+
+// Where light comes along the normal nothing has an azimuth: the mean of what bins say.
+TEST(Distribution, AtTheNormalIsTheMeanOverAzimuths) {
+  select::Scene scene = scene_to(75, 0.1);
+  scene.bins = {{{0, 1}, {0, 1}, {0, pi / 2}, 3}, {{0, 1}, {0, 1}, {pi / 2, pi}, 1}};
+  const select::Distribution distribution(scene);
+  const Direction light{0.5, 0, std::sqrt(0.75)};
+  const double toward = distribution.density(light, light),
+               away = distribution.density(light, {-0.5, 0, std::sqrt(0.75)});
+  EXPECT_NEAR(toward, 3 * away, 1e-9);
+  for (const double zero : {0.0, -0.0})
+    EXPECT_NEAR(distribution.density({zero, zero, 1}, light), (toward + away) / 2, 1e-9);
 }
 
 // Drawn pairs are in the scene, and the mean of 1 over their density is the measure of the scene's
