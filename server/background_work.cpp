@@ -34,7 +34,7 @@ Outcome BackgroundWork::submit(std::size_t bytes, std::function<void()> run) {
 }
 
 bool BackgroundWork::should_stop() const {
-  BackgroundQueue::give_way();
+  if (backend_.fits.give_way) BackgroundQueue::give_way();
   return is_over();
 }
 

@@ -97,7 +97,7 @@ struct Server::State {
         fits(given.fit_threads, given.max_fits, given.fits_give_way),
         puts(1, kMaxPuts),
         service({materials, pool, given.max_message_bytes, given.max_queued_jobs, *logger, memory,
-                 FitBackend{fits, given.longest_fit}, puts}) {}
+                 FitBackend{fits, given.longest_fit, given.fits_give_way}, puts}) {}
 
   Outcome listen(const std::vector<Address>& addresses);
   void stop(std::chrono::milliseconds grace);

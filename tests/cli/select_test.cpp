@@ -173,7 +173,7 @@ TEST_F(SelectCommand, ValuesThatAreNotKnown) {
   const auto with = [&](const std::string& field) {
     return refused(R"({"theta_i": [0, 60], "theta_o": [0, 75], "tolerance": 0.1, )" + field + "}");
   };
-  for (const char* metric : {"L1", "l1 ", "l2", "rms", "delta"}) {
+  for (const char* metric : {"L1", "l1 ", "l2", "rms", "delta_E", "deltae"}) {
     EXPECT_THAT(with(R"("metric": ")" + std::string(metric) + "\""),
                 HasSubstr("scene.metric is \"" + std::string(metric) +
                           "\"; allowed: l1, rmse, log, cbrt, delta_e"));
