@@ -25,7 +25,7 @@ struct ChartOptions {
   std::optional<FitData> data;
   unsigned repetitions = 25;         // of each time, 1 to 1000
   double seconds = 0.004;            // that a repetition takes at least, 1e-6 to 0.1
-  unsigned pairs_at_a_place = 5000;  // where errors are looked for, 1 to 100,000
+  unsigned pairs_at_a_place = 5000;  // where errors are looked for, 1 to 20,000
   std::uint64_t seed = 1;            // of these pairs, 1 or more
   // In place of ClientOptions::deadline.
   std::optional<std::chrono::milliseconds> deadline;

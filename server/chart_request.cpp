@@ -67,7 +67,7 @@ Result<ChartTask> chart_task(v1::ChartRequest request, const Materials& material
   task.parts = {request.parts().begin(), request.parts().end()};
   task.options = options_of(request);
   if (auto good = check(task.parts, task.options); !good) return within_request(good.error());
-  task.bytes = chart::memory_of(task.parts);
+  task.bytes = chart::memory_of(task.parts, task.options);
   if (request.has_measured()) {
     auto table = table_of(request.measured(), materials);
     if (!table) return table.error();

@@ -32,6 +32,15 @@ JsonObject merged(const JsonObject& of_all, const JsonObject& own) {
   return both;
 }
 
+// A name is that of a file in the folder of choices.
+Outcome check_name(const std::string& name) {
+  const bool one = !name.empty() && name != "." && name != ".." &&
+                   name.find('/') == std::string::npos && name.find('\0') == std::string::npos;
+  if (one) return Ok{};
+  return bad_value("scene.materials", "\"" + name + "\" as a name",
+                   "names of files: no / in them, not . or ..");
+}
+
 // A file's place is relative to the scene's; JSON stays JSON, and a name a name.
 Result<std::string> reference_of(const JsonObject& material, const std::string& scene_file) {
   const JsonValue* value = find(material, "reference");
@@ -86,6 +95,7 @@ Result<std::vector<SceneMaterial>> read_scene(const std::string& file,
   of_all.mutable_fields()->erase("materials");
   std::map<std::string, SceneMaterial> sorted;
   for (const auto& [name, value] : materials->struct_value().fields()) {
+    if (auto ok = check_name(name); !ok) return ok.error();
     auto material = material_of(name, value, of_all, file);
     if (!material) return of_material(name, material.error());
     sorted.emplace(name, std::move(*material));

@@ -106,6 +106,8 @@ Outcome write_materials(const std::string& output, const std::vector<NamedSelect
 int run(SelectArguments& arguments) {
   const auto materials = read_scene(arguments.scene, arguments.reference);
   if (!materials) return fail(materials.error());
+  if (arguments.output == "-" && !(*materials)[0].name.empty())
+    return fail(bad_value("--output", "-, for materials by name", "a folder"));
   if (!arguments.costs.empty()) {
     auto costs = read_costs(arguments.costs);
     if (!costs) return fail(costs.error());

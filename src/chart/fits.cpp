@@ -82,6 +82,12 @@ Result<std::vector<Candidate>> candidates_of(const Measured& measured, const Opt
                    certificate.cpu_seconds, certificate.errors});
     show(options, static_cast<double>(all.size()) / (kForms.size() + 2));
   }
+  if (all.empty()) {
+    return bad_value("data",
+                     std::to_string(measured.data.size()) + " usable pairs (" +
+                         std::to_string(measured.data.left_out.total()) + " left out)",
+                     "pairs that a model can be fitted to");
+  }
   if (measured.table == nullptr) return all;
   for (const auto& [name, interpolation] :
        {std::pair{"table, nearest cell", Interpolation::nearest},

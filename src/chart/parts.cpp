@@ -60,7 +60,7 @@ Outcome check(const std::vector<std::string>& parts, const Options& options) {
     return good;
   if (auto good = check_range("seconds", options.effort.seconds, 1e-6, 0.1, "1e-6 to 0.1"); !good)
     return good;
-  return check_range("pairs", static_cast<double>(options.pairs), 1, 100'000, "1 to 100000");
+  return check_range("pairs", static_cast<double>(options.pairs), 1, 20'000, "1 to 20000");
 }
 
 bool needs_material(const std::vector<std::string>& parts) {
@@ -83,17 +83,19 @@ Result<std::vector<Table>> measure(
     return bad_value("parts", "resolution, of scattered pairs",
                      "resolution of a measured table (MERL) only");
   }
+  std::vector<std::string_view> names;
+  for (const Part& part : kParts) {
+    if (is_wanted(wanted.parts, part.name)) names.push_back(part.name);
+  }
   std::vector<Table> tables;
-  for (std::size_t i = 0; i < kParts.size(); ++i) {
-    if (!is_wanted(wanted.parts, kParts[i].name)) continue;
+  for (std::size_t i = 0; i < names.size(); ++i) {
     Options of_part = options;
     of_part.progress = [&](double done) {
       if (progress)
-        progress(kParts[i].name,
-                 (static_cast<double>(i) + done) / static_cast<double>(kParts.size()));
+        progress(names[i], (static_cast<double>(i) + done) / static_cast<double>(names.size()));
     };
     of_part.progress(0);
-    for (const Make& make : tables_of(kParts[i].name, measured)) {
+    for (const Make& make : tables_of(names[i], measured)) {
       auto table = make(of_part);
       if (!table) return table.error();
       tables.push_back(std::move(*table));
@@ -102,9 +104,10 @@ Result<std::vector<Table>> measure(
   return tables;
 }
 
-std::size_t memory_of(const std::vector<std::string>& parts) {
+std::size_t memory_of(const std::vector<std::string>& parts, const Options& options) {
   constexpr std::size_t kPlain = std::size_t{32} << 20U, kTables = std::size_t{192} << 20U;
-  return kPlain + (needs_material(parts) ? kTables : 0);
+  constexpr std::size_t kOfAPair = 6000;  // at all places: directions, values, truth, errors
+  return kPlain + kOfAPair * options.pairs + (needs_material(parts) ? kTables : 0);
 }
 
 }  // namespace gonio::chart

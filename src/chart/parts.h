@@ -27,7 +27,7 @@ struct Wanted {
 };
 
 // Whether the parts exist and the effort is within its bounds (1 to 1000 repetitions of up to 0.1
-// s, 1 to 100,000 pairs). Errors name the field: "parts[1]", "repetitions", "seconds", "pairs".
+// s, 1 to 20,000 pairs). Errors name the field: "parts[1]", "repetitions", "seconds", "pairs".
 Outcome check(const std::vector<std::string>& parts, const Options& options);
 
 // Whether one of the wanted parts needs a material.
@@ -42,6 +42,6 @@ Result<std::vector<Table>> measure(
     const std::function<void(std::string_view part, double done)>& progress = {});
 
 // About what it holds at most, beside the measured data.
-std::size_t memory_of(const std::vector<std::string>& parts);
+std::size_t memory_of(const std::vector<std::string>& parts, const Options& options);
 
 }  // namespace gonio::chart

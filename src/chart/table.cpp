@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <map>
 
 #include "chart/front.h"
@@ -39,13 +40,19 @@ void add_time_cells(std::vector<Cell>& row, const timing::Spread& spread) {
 
 void add_front(Table& table, std::string_view cost, std::string_view error,
                std::string_view among) {
+  // What answers NaN or less than 0 somewhere is on no front.
+  constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+  const bool counted =
+      std::ranges::find(table.columns, "improper", &Column::name) != table.columns.end();
   std::map<std::string, std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     groups[among.empty() ? "" : table.word(i, among)].push_back(i);
   for (const auto& [name, rows] : groups) {
     std::vector<Tradeoff> choices;
-    for (const std::size_t i : rows)
-      choices.push_back({table.number(i, cost), table.number(i, error)});
+    for (const std::size_t i : rows) {
+      const bool improper = counted && table.number(i, "improper") > 0;
+      choices.push_back({table.number(i, cost), improper ? kNever : table.number(i, error)});
+    }
     const auto front = on_front(choices);
     for (std::size_t k = 0; k < rows.size(); ++k)
       table.rows[rows[k]].emplace_back(front[k] ? 1.0 : 0.0);

@@ -58,7 +58,8 @@ Result<TensorFile> TensorFile::parse(std::string_view bytes, std::string name) {
     return file.error("other first bytes", "`tensor_file`, version 1.0");
   std::size_t at = kMagic.size();
   std::uint32_t count = 0;
-  if (!take(bytes, at, count) || count > kMostFields)
+  if (!take(bytes, at, count)) return file.error("its end after the first bytes", "fields");
+  if (count > kMostFields)
     return file.error(std::to_string(count) + " fields", "at most " + std::to_string(kMostFields));
   for (std::uint32_t i = 0; i < count; ++i) {
     if (const auto read = file.read_field(at); !read) return read.error();

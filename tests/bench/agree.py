@@ -4,7 +4,8 @@
   tests/bench/agree.py [BIN]      BIN: the folder of the built programs, build/bin if not given
 
 Prints the time of each evaluation, sample and call by both, and their ratio; fails where one is off
-by more than a fifth. Takes about a minute.
+by more than a fifth. Each is run twice, in turn, and the better counts: where a process's memory happens to lie moves what is
+bound by memory by a third. Takes some minutes.
 """
 import csv
 import json
@@ -68,26 +69,40 @@ def compare(title, pairs):
     return all(abs(ratio - 1) <= ALLOWED for ratio in ratios)
 
 
+def models(binaries, folder):
+    times = bench_times(binaries / "core_bench", "/4096$|/scalar", folder)
+    rows = chart_rows(binaries / "gonio", "models", folder)
+    return [(bench_name_of_model(row), times[bench_name_of_model(row)], float(row["ns"])) for row in rows]
+
+
+def samples(binaries, folder):
+    rows = [row for row in chart_rows(binaries / "gonio", "sampling", folder)
+            if row["strategy"] != "cosine" and row["theta"] == "30"]
+    best = json.loads((folder / "chart.json").read_text())["machine"]["instruction_sets"][-1]
+    times = bench_times(binaries / "sampling_bench", f"/{best}/4096$|/scalar", folder)
+    names = [bench_name_of_sampling(row, best) for row in rows]
+    return [(name, times[name], float(row["ns"])) for name, row in zip(names, rows)]
+
+
+def calls(binaries, folder):
+    times = wire_times(binaries / "wire_bench", folder)
+    rows = [row for row in chart_rows(binaries / "gonio", "wire", folder)
+            if row["form"] == "pairs" and row["pairs"] in ("1", "1048576") and row["chunk"] == "65536"]
+    return [(name, times[name], float(row["us"])) for name, row in zip(("unary, 1 pair", "stream, 1 M pairs"), rows)]
+
+
+def better_of_two(measure, binaries, folder):
+    first, second = measure(binaries, folder), measure(binaries, folder)
+    return [(name, min(a, c), min(b, d)) for (name, a, b), (_, c, d) in zip(first, second)]
+
+
 def main():
     binaries = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else
                             pathlib.Path(__file__).resolve().parents[2] / "build" / "bin")
+    agree = True
     with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        times = bench_times(binaries / "core_bench", "/4096$|/scalar", folder)
-        rows = chart_rows(binaries / "gonio", "models", folder)
-        agree = compare("ns an evaluation", [(bench_name_of_model(row), times[bench_name_of_model(row)], float(row["ns"]))
-                                             for row in rows])
-        best = json.loads((folder / "chart.json").read_text())["machine"]["instruction_sets"][-1]
-        times = bench_times(binaries / "sampling_bench", f"/{best}/4096$|/scalar", folder)
-        rows = [row for row in chart_rows(binaries / "gonio", "sampling", folder)
-                if row["strategy"] != "cosine" and row["theta"] == "30"]
-        agree &= compare("ns a sample", [(bench_name_of_sampling(row, best), times[bench_name_of_sampling(row, best)],
-                                          float(row["ns"])) for row in rows])
-        times = wire_times(binaries / "wire_bench", folder)
-        rows = [row for row in chart_rows(binaries / "gonio", "wire", folder)
-                if row["form"] == "pairs" and row["pairs"] in ("1", "1048576") and row["chunk"] == "65536"]
-        agree &= compare("us over a UNIX socket", [(name, times[name], float(row["us"]))
-                                                   for name, row in zip(("unary, 1 pair", "stream, 1 M pairs"), rows)])
+        for title, measure in (("ns an evaluation", models), ("ns a sample", samples), ("us over a UNIX socket", calls)):
+            agree &= compare(title, better_of_two(measure, binaries, pathlib.Path(name)))
     sys.exit(0 if agree else "they do not agree within a fifth")
 
 

@@ -20,6 +20,7 @@ fit::FitResult fitted(const fit::Data& data, const char* model) {
 }
 
 constexpr double kAllowed = 1.05;
+constexpr std::size_t kNoisySets = 4;
 
 double below_80(const Material& material, const fit::Data& data) {
   return fit::compare(material, data, 0).errors.below_80.l1;
@@ -113,7 +114,8 @@ bool print_noise() {
   for (const char* model : kModels) std::printf("  %-24s", model);
   std::printf("\n");
   bool met = true;
-  for (const char* material : testing::kFitMaterials) {
+  for (std::size_t set = 0; set < testing::kFitMaterials.size(); ++set) {
+    const char* material = testing::kFitMaterials[set];
     const fit::Data clean = load(material), noisy = load(material, 0.1, 0.02);
     std::printf("%-20s", material);
     for (const char* model : kModels) {
@@ -121,17 +123,17 @@ bool print_noise() {
       const auto made = Material::create(fitted(noisy, model).material);
       const double best = below_80(*kept, clean), found = below_80(*made, clean);
       std::printf("  %.4f / %.4f (%+.2f %%)", best, found, 100 * (found / best - 1));
+      met = met && (set >= kNoisySets || found <= kAllowed * best);
       if (found > kAllowed * best) {
         const double gain = 1 - below_80(*made, noisy) / below_80(*kept, noisy);
         std::printf(" [%.2f %%]", 100 * gain);
-        met = met && gain > 0;
       }
     }
     std::printf("\n");
     std::fflush(stdout);
   }
-  std::printf("%s: within 5 %% of the clean optimum, or what L1 asks for\n",
-              met ? "met" : "NOT MET");
+  std::printf("%s: the first %zu, those of `starts`, within 5 %% of the clean optimum\n",
+              met ? "met" : "NOT MET", kNoisySets);
   print_ambiguity();
   return met;
 }

@@ -154,14 +154,29 @@ TEST_F(SelectCommand, RangesThatContradict) {
       HasSubstr("scene.histogram.counts"));
 }
 
+TEST_F(SelectCommand, NamesThatWouldLeaveTheFolder) {
+  const auto error_of = [&](const std::string& name, const std::string& output) {
+    write("all.json",
+          R"({"theta_i": [0, 60], "theta_o": [0, 75], "tolerance": 0.1, "materials": {")" + name +
+              R"(": {"reference": "grey.json"}}})");
+    const auto result = select("--scene all.json -o " + output);
+    EXPECT_EQ(result.exit_code, 2) << name;
+    return result.err;
+  };
+  for (const std::string name : {"../b", "c/d", "", "..", "."})
+    EXPECT_THAT(error_of(name, "chosen"), HasSubstr('"' + name + "\" as a name"));
+  EXPECT_THAT(error_of("a", "-"),
+              HasSubstr("--output is -, for materials by name; allowed: a folder"));
+}
+
 TEST_F(SelectCommand, ValuesThatAreNotKnown) {
   const auto with = [&](const std::string& field) {
     return refused(R"({"theta_i": [0, 60], "theta_o": [0, 75], "tolerance": 0.1, )" + field + "}");
   };
   for (const char* metric : {"L1", "l1 ", "l2", "rms", "delta_E", "deltae"}) {
-    EXPECT_THAT(
-        with(R"("metric": ")" + std::string(metric) + "\""),
-        HasSubstr("scene.metric is \"" + std::string(metric) + "\"; allowed: l1, rmse, log, cbrt"));
+    EXPECT_THAT(with(R"("metric": ")" + std::string(metric) + "\""),
+                HasSubstr("scene.metric is \"" + std::string(metric) +
+                          "\"; allowed: l1, rmse, log, cbrt, delta_e"));
   }
   EXPECT_THAT(with(R"("metric": 1)"), HasSubstr("scene.metric is \"1\""));
   EXPECT_THAT(with(R"("cost": "time")"), HasSubstr("allowed: ns, bytes, ns_variance"));

@@ -137,6 +137,7 @@ TEST(SelectWords, NearMissesAreRefused) {
   EXPECT_EQ(client::cost_of("NS").error().allowed, "ns, bytes, ns_variance");
   EXPECT_EQ(client::lights_of("sun").error().allowed, "directional, environment");
   EXPECT_EQ(*client::metric_of("cbrt"), client::SelectMetric::cbrt);
+  EXPECT_EQ(*client::metric_of("delta_e"), client::SelectMetric::delta_e);
   EXPECT_EQ(*client::cost_of("ns_variance"), client::SelectCost::ns_variance);
   EXPECT_EQ(*client::lights_of("environment"), client::SelectLights::environment);
 }

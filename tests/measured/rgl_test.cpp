@@ -124,6 +124,7 @@ TEST(Rgl, ColoursOutsideOfSrgbAreCutNotLost) {
 TEST(Rgl, SaysWhatIsWrong) {
   const std::string good = made();
   EXPECT_THAT(error_of("tensor_file"), HasSubstr("film: found other first bytes"));
+  EXPECT_THAT(error_of(good.substr(0, 15)), HasSubstr("its end after the first bytes"));
   EXPECT_THAT(error_of(good.substr(0, 40)), HasSubstr("its end within the list of fields"));
   EXPECT_THAT(error_of(good.substr(0, good.size() - 2)), HasSubstr("beyond the file's end"));
   const auto renamed = [&](const std::string& field, const std::string& to) {

@@ -47,10 +47,17 @@ Frame frame_of(const Figure& figure, std::size_t i) {
           column == 0 || !is_same(figure, i, i - 1, &Panel::y)};
 }
 
+// A name in it may be long.
+std::string shortened(const std::string& text, double width) {
+  const auto most = static_cast<std::size_t>(width / (0.62 * (kFont + 1)));
+  return text.size() <= most ? text : text.substr(0, most - 3) + "...";
+}
+
 std::string all_panels(const Figure& figure) {
   const Size size = size_of(figure);
-  std::string text = "set multiplot\nset label 1000 " + script_text(figure.caption) +
-                     " at screen " + script_number(14.0 / size.width) + ", screen " +
+  std::string text = "set multiplot\nset label 1000 " +
+                     script_text(shortened(figure.caption, size.width - 28.0)) + " at screen " +
+                     script_number(14.0 / size.width) + ", screen " +
                      script_number(1 - 15.0 / size.height) + " left noenhanced font \"," +
                      script_number(kFont + 1) + "\"\n";
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {

@@ -37,7 +37,7 @@ std::string label_of(const chart::Table& table, std::size_t i) {
 }  // namespace
 
 Figure wire_figure(const chart::Table& table) {
-  Figure figure{"wire", table.title, 680, 440, 1, {}};
+  Figure figure{"wire", "The wire: latency of a call against time a pair", 680, 440, 1, {}};
   const auto [low, high] = log_range(numbers_of(table, "us"), 1.5);
   const auto [least, most] = log_range(numbers_of(table, "ns_a_pair"), 1.5);
   Panel panel{"labels: pairs of a call, or of a stream in chunks",
