@@ -39,8 +39,8 @@ Result<MeasuredPairs> read_alta(const std::filesystem::path& file);
 
 // A file of the RGL material database (.bsdf) of an isotropic material in RGB: the nodes of its
 // grid, without interpolation. Dupuy and Jakob 2018. Those of the mirror direction stand for no
-// solid angle and come with a weight of 0. A colour that sRGB cannot show has a channel below 0: it is
-// raised to 0 where another channel is above.
+// solid angle and come with a weight of 0. A colour that sRGB cannot show has a channel below 0: it
+// is raised to 0 where another channel is above.
 Result<MeasuredPairs> read_rgl(const std::filesystem::path& file);
 
 // The same from the text itself; `name` is what errors call it.

@@ -101,7 +101,8 @@ void Walk::take(Tried tried) {
   entry.meets = entry.error.upper < scene_.tolerance;
   place_on_front(tried);
   if (!has_choice()) {
-    if (entry.meets) certify(tried, index);
+    // An anisotropy that is not seen is not chosen because chance favours it.
+    if (entry.meets && (entry.on_front || !tried.anisotropic)) certify(tried, index);
     if (!has_choice()) {
       if (entry.remark.empty()) entry.remark = "misses the tolerance";
       if (entry.on_front) nearest_ = tried;
