@@ -41,6 +41,13 @@ v1::SelectRequest quick_selection(double tolerance = 0.1) {
   return request;
 }
 
+// Other tests may run beside.
+ServerOptions not_giving_way() {
+  ServerOptions options;
+  options.fits_give_way = false;
+  return options;
+}
+
 struct Answer {
   grpc::Status status;
   std::optional<v1::SelectResult> result;
@@ -88,7 +95,7 @@ select::Scene core_scene() {
 }
 
 TEST(SelectCall, IsTheCoresOwnSelection) {
-  TestServer server;
+  TestServer server(not_giving_way());
   const Answer answer = ask(server, quick_selection());
   ASSERT_TRUE(answer.status.ok()) << answer.status.error_message();
   ASSERT_TRUE(answer.result);
@@ -100,7 +107,7 @@ TEST(SelectCall, IsTheCoresOwnSelection) {
 }
 
 TEST(SelectCall, TakesMeasuredPairs) {
-  TestServer server;
+  TestServer server(not_giving_way());
   v1::SelectRequest request = quick_selection();
   const MaterialSpec grey{LobeSpec{"lambertian", {{"rd", std::vector{0.5}}}}, {}, {}};
   const fit::Data data = data_of(grey, scattered_pairs(3000, 1), 0.01);
@@ -131,7 +138,7 @@ TEST(SelectCall, TakesMeasuredPairs) {
 }
 
 TEST(SelectCall, SaysWhatIsWrong) {
-  TestServer server;
+  TestServer server(not_giving_way());
   const auto with = [&](const auto& change) {
     v1::SelectRequest request = quick_selection();
     change(request);
@@ -166,7 +173,7 @@ v1::SelectRequest long_selection() {
 }
 
 TEST(SelectCall, EndsSoonWhenItIsCancelled) {
-  ServerOptions options;
+  ServerOptions options = not_giving_way();
   options.fit_threads = 1;
   TestServer server(options);
   EXPECT_EQ(ask(server, long_selection(), true).status.error_code(), grpc::StatusCode::CANCELLED);
@@ -177,7 +184,7 @@ TEST(SelectCall, EndsSoonWhenItIsCancelled) {
 }
 
 TEST(SelectCall, KeepsTheServersOwnDeadline) {
-  ServerOptions options;
+  ServerOptions options = not_giving_way();
   options.longest_fit = 200ms;
   TestServer server(options);
   const auto begin = WorkClock::now();
