@@ -32,7 +32,7 @@ namespace gonio {
 struct FitBackend {
   BackgroundQueue& queue;
   std::chrono::milliseconds longest;
-  bool give_way;  // to evaluation
+  bool give_way = true;  // to evaluation
 };
 
 // References to what outlives every call. Thread safety: all of it may be used from any thread.
