@@ -11,7 +11,15 @@ namespace gonio::test {
 namespace {
 
 using ::testing::HasSubstr;
-using Select = FitFixture;
+
+// All candidates are tried in some of these: that takes a server that gives way long where other
+// tests run beside.
+class Select : public FitFixture {
+ protected:
+  void SetUp() override {
+    start_with([](ServerOptions& server) { server.fits_give_way = false; });
+  }
+};
 
 client::SelectScene scene_of(double tolerance) {
   client::SelectScene scene;
@@ -92,9 +100,7 @@ TEST_F(Select, TheReferenceItselfHasNoMaterial) {
   EXPECT_FALSE(result->choice->material);
 }
 
-// All candidates are tried, which takes a server that gives way long where other tests run beside.
 TEST_F(Select, NothingIsGoodEnough) {
-  start_with([](ServerOptions& server) { server.fits_give_way = false; });
   const Measured measured(600);  // with 5 % noise
   client::SelectOptions options = quick();
   options.fitted = options.validation = options.certification = 100;
