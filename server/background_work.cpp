@@ -20,7 +20,7 @@ BackgroundWork::BackgroundWork(const Backend& backend, grpc::CallbackServerConte
 Outcome BackgroundWork::submit(std::size_t bytes, std::function<void()> run) {
   charge_ = backend_.memory.take(bytes);
   const char* full =
-      charge_ ? "queue of fits, assessments and selections is full" : "memory is full";
+      charge_ ? "queue of fits, assessments, selections and charts is full" : "memory is full";
   if (charge_ && backend_.fits.queue.submit({std::move(run), [this] { return is_over(); }}))
     return Ok{};
   context_.AddTrailingMetadata(wire::kRetryPushback, kFitPushbackMilliseconds);

@@ -1,5 +1,5 @@
 // A call that queues its work, sends progress while that waits and runs, and ends with the result:
-// Fit and Select.
+// Fit, Select and Chart.
 //
 // The call owns itself until gRPC is done with it and the queue has let go of it. The work's thread
 // only leaves its latest progress here; an alarm sends it, so that a client hears from the work

@@ -22,7 +22,7 @@ Parts, each a table (in chart.json, and PART.csv) with figures (FIGURE.svg, .png
   resolution      a measured table in fewer cells, nearest and interpolated: bytes against error
 
 Times are the best of repetitions that take turns; bars go to the upper quartile. Grey steps are the
-choices that no other one beats. Leave the machine to it for its two minutes, or see it in the bars.
+choices that no other one beats. Leave the machine to it for its minute, or see it in the bars.
 
 With --server the core's parts are measured on the server's machine, and the wire to it.
 

@@ -69,7 +69,7 @@ void add_select_options(CLI::App& command, SelectArguments& arguments) {
       .add_option(
           "-o,--output", arguments.output,
           "Where the choice's JSON goes, - is stdout; a folder of NAME.json for a scene that "
-          "names its materials")
+          "names its materials. Nothing is written where that is the reference or nothing")
       ->type_name("OUT");
   command
       .add_option("--report", arguments.report,

@@ -98,7 +98,7 @@ TEST_F(FitLimits, IsRefusedWhereTooManyWait) {
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, ErrorCode::resource_exhausted);
   EXPECT_THAT(refused.error().message,
-              HasSubstr("queue of fits, assessments and selections is full"));
+              HasSubstr("queue of fits, assessments, selections and charts is full"));
   stop = true;
   first.join();
   second.join();

@@ -132,7 +132,8 @@ TEST(AssessCall, WaitsInAQueueThatIsBounded) {
     if (!status.ok()) error = wire::from_status(status);
   }
   EXPECT_EQ(error.code, ErrorCode::resource_exhausted);
-  EXPECT_THAT(error.message, HasSubstr("queue of fits, assessments and selections is full"));
+  EXPECT_THAT(error.message,
+              HasSubstr("queue of fits, assessments, selections and charts is full"));
   context.TryCancel();
   first.join();
 }
