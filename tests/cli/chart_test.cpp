@@ -125,6 +125,7 @@ TEST(ChartCommand, BadInputIsRefusedBeforeTheWork) {
   write_file(folder / "file", "");
   write_file(folder / "bad.binary", "not a table");
   write_file(folder / "pairs.csv", "theta_i,phi_i,theta_o,phi_o,f_0\n0.1,0,0.2,0,1\n");
+  write_file(folder / "nan.csv", "theta_i,phi_i,theta_o,phi_o,f_0\n0.1,0,0.2,0,nan\n");
   const std::string out = folder / "chart", file = folder / "file", bad = folder / "bad.binary",
                     pairs = folder / "pairs.csv";
   const std::vector<std::pair<std::string, std::string>> cases = {
@@ -134,6 +135,8 @@ TEST(ChartCommand, BadInputIsRefusedBeforeTheWork) {
       {"-o " + out + " --parts models,nothing", "nothing"},
       {"-o " + out + " --data " + bad, bad},
       {"-o " + out + " --data /nowhere.binary", "/nowhere.binary"},
+      {"-o " + out + " --quick --parts fits --data " + (folder / "nan.csv").string(),
+       "data is 0 usable pairs (1 left out)"},
       {"-o " + out + " --parts resolution --data " + pairs, "resolution, of scattered pairs"}};
   for (const auto& [arguments, words] : cases) {
     const auto result = shell("gonio chart " + arguments);
@@ -141,6 +144,15 @@ TEST(ChartCommand, BadInputIsRefusedBeforeTheWork) {
     EXPECT_THAT(result.err, HasSubstr(words)) << arguments;
     EXPECT_THAT(result.out, IsEmpty());
   }
+  EXPECT_THAT(files_in(out), IsEmpty());
+}
+
+TEST(ChartCommand, GivesUpByItsDeadline) {
+  const gonio::testing::TempFolder folder;
+  const std::string out = folder / "chart";
+  const auto result = shell("gonio chart --parts models --deadline 0.2 -o " + out);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("not done within --deadline 0.2"));
   EXPECT_THAT(files_in(out), IsEmpty());
 }
 

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -49,9 +50,20 @@ Outcome measure_here(const ChartArguments& arguments, Progress& progress, Chart&
     if (measured->table == nullptr) leave_out_resolution(arguments, wanted.parts);
     wanted.measured.emplace(std::move(*measured));
   }
-  auto tables = chart::measure(
-      wanted, options_of(arguments),
-      [&](std::string_view part, double done) { progress.show(done, std::string(part)); });
+  chart::Options options = options_of(arguments);
+  const double deadline = arguments.connection.deadline;
+  const double end = timing::now(timing::Clock::wall) + deadline;
+  if (deadline > 0) options.stop = [end] { return timing::now(timing::Clock::wall) > end; };
+  auto tables = chart::measure(wanted, options, [&](std::string_view part, double done) {
+    progress.show(done, std::string(part));
+  });
+  if (!tables && tables.error().code == ErrorCode::cancelled) {
+    return Error{ErrorCode::deadline_exceeded,
+                 "the chart was not done within --deadline " + std::to_string(deadline) + " s",
+                 {},
+                 {},
+                 {}};
+  }
   if (!tables) return tables.error();
   chart.machine = chart::this_machine();
   chart.tables = std::move(*tables);
@@ -108,7 +120,9 @@ Result<chart::Table> measure_wire(const ChartArguments& arguments) {
     own = std::move(*started);
   }
   return chart_wire(
-      [&](const client::ClientOptions& options) {
+      [&](client::ClientOptions options) {
+        const std::chrono::duration<double> deadline(connection.deadline);
+        options.deadline = std::chrono::ceil<std::chrono::milliseconds>(deadline);
         return client::Client::connect(connection.server, options);
       },
       own ? "a UNIX socket" : connection.server, options_of(arguments));
