@@ -10,20 +10,14 @@
 namespace gonio {
 namespace {
 
-// 0 leaves the default.
-template <class T, class From>
-void set(T& option, From given) {
-  if (given != From{0}) option = static_cast<T>(given);
-}
-
 chart::Options options_of(const v1::ChartRequest& from) {
   chart::Options options;
   // What int cannot hold is out of bounds all the same.
   constexpr std::uint32_t kMost = std::numeric_limits<int>::max();
-  set(options.effort.repetitions, std::min(from.repetitions(), kMost));
-  set(options.effort.seconds, from.seconds());
-  set(options.pairs, from.pairs_at_a_place());
-  set(options.seed, from.seed());
+  set_if_given(options.effort.repetitions, std::min(from.repetitions(), kMost));
+  set_if_given(options.effort.seconds, from.seconds());
+  set_if_given(options.pairs, from.pairs_at_a_place());
+  set_if_given(options.seed, from.seed());
   return options;
 }
 

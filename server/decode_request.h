@@ -38,4 +38,10 @@ Result<Message> decode_request(const grpc::ByteBuffer& buffer,
   return request;
 }
 
+// A number of a request that is 0 where it is not given: the option's default stays.
+template <class T, class From>
+void set_if_given(T& option, From given) {
+  if (given != From{0}) option = static_cast<T>(given);
+}
+
 }  // namespace gonio

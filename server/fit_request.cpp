@@ -43,12 +43,6 @@ Result<fit::Strategy> strategy_of(v1::FitStrategy strategy) {
   }
 }
 
-// 0 leaves the default.
-template <class T, class From>
-void set(T& option, From given) {
-  if (given != From{0}) option = static_cast<T>(given);
-}
-
 Result<fit::Options> options_of(const v1::FitOptions& from) {
   const auto objective = objective_of(from.objective());
   if (!objective) return objective.error();
@@ -59,14 +53,14 @@ Result<fit::Options> options_of(const v1::FitOptions& from) {
   options.strategy = *strategy;
   options.anisotropic = from.anisotropic();
   options.cosine = !from.without_cosine();
-  set(options.huber, from.huber());
+  set_if_given(options.huber, from.huber());
   options.min_theta = from.min_theta();
-  set(options.max_theta, from.max_theta());
-  set(options.starts, from.starts());
-  set(options.fit_pairs, from.fit_pairs());
-  set(options.scan_pairs, from.scan_pairs());
+  set_if_given(options.max_theta, from.max_theta());
+  set_if_given(options.starts, from.starts());
+  set_if_given(options.fit_pairs, from.fit_pairs());
+  set_if_given(options.scan_pairs, from.scan_pairs());
   options.polish = from.polish();
-  set(options.seed, from.seed());
+  set_if_given(options.seed, from.seed());
   return options;
 }
 

@@ -53,23 +53,17 @@ Result<select::Scene> scene_of(const v1::SelectScene& from) {
   return scene;
 }
 
-// 0 leaves the default.
-template <class T, class From>
-void set(T& option, From given) {
-  if (given != From{0}) option = static_cast<T>(given);
-}
-
 Result<select::Options> options_of(const v1::SelectOptions& from) {
   select::Options options;
   options.whole_front = !from.up_to_the_choice();
   // What int cannot hold is out of bounds all the same.
-  set(options.lobes, std::min<std::uint32_t>(from.lobes(), 1000));
+  set_if_given(options.lobes, std::min<std::uint32_t>(from.lobes(), 1000));
   options.costs = {from.costs().begin(), from.costs().end()};
-  set(options.sizes.fitted, from.fitted());
-  set(options.sizes.validation, from.validation());
-  set(options.sizes.certification, from.certification());
-  set(options.starts, from.starts());
-  set(options.seed, from.seed());
+  set_if_given(options.sizes.fitted, from.fitted());
+  set_if_given(options.sizes.validation, from.validation());
+  set_if_given(options.sizes.certification, from.certification());
+  set_if_given(options.starts, from.starts());
+  set_if_given(options.seed, from.seed());
   if (auto good = check(options); !good) return good.error();
   return options;
 }
