@@ -6,6 +6,7 @@
 
 #include "client/client.h"
 #include "client/open_call.h"
+#include "client/progress_call.h"
 #include "client/state.h"
 #include "gonio/v1/put.pb.h"
 #include "wire/sha256.h"
@@ -16,14 +17,6 @@ namespace {
 namespace v1 = gonio::v1;
 
 constexpr std::size_t kChunk = std::size_t{256} << 10;
-
-template <class Message>
-grpc::ByteBuffer to_buffer(const Message& message) {
-  grpc::ByteBuffer buffer;
-  bool own = false;
-  grpc::SerializationTraits<Message>::Serialize(message, &buffer, &own);
-  return buffer;
-}
 
 v1::PutMaterialRequest announcement(std::string_view name, std::string_view content,
                                     const wire::Sha256Sum& sum) {

@@ -9,8 +9,6 @@ namespace gonio {
 namespace {
 
 constexpr int kMostValues = 64;
-constexpr double kLeastCosine =
-    1e-6;  // as evaluation has it: nearer to the horizon nothing is known
 
 struct Header {
   int values = 0;  // of a row

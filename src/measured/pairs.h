@@ -15,6 +15,9 @@
 
 namespace gonio {
 
+// As evaluation has it: nearer to the horizon nothing is known.
+inline constexpr double kLeastCosine = 1e-6;
+
 struct MeasuredPairs {
   int channels = 0;
   std::vector<double> wi, wo;  // xyz of each pair

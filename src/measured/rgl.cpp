@@ -19,7 +19,6 @@ namespace gonio {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kLeastCosine = 1e-6;  // as evaluation has it
 constexpr std::uint64_t kChannels = 3;
 
 // What a file holds, its dimensions checked against each other. Angles stand on axes that give

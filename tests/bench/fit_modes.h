@@ -15,6 +15,9 @@ inline constexpr std::array kObjectives{fit::Objective::l1, fit::Objective::l2, 
 // dielectric's Fresnel.
 inline constexpr std::array kModels{"phong", "blinn_phong", "phong_mix", "cook_torrance"};
 
+// The first of the materials, which independence is shown on with noise, too.
+inline constexpr std::size_t kNoisySets = 4;
+
 // All cells of a measured material; ends the program, naming it, where the data are absent.
 fit::Data load(const std::string& name, double noise = 0, double invalid = 0);
 

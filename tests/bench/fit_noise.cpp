@@ -20,7 +20,6 @@ fit::FitResult fitted(const fit::Data& data, const char* model) {
 }
 
 constexpr double kAllowed = 1.05;
-constexpr std::size_t kNoisySets = 4;
 
 double below_80(const Material& material, const fit::Data& data) {
   return fit::compare(material, data, 0).errors.below_80.l1;

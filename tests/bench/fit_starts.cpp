@@ -65,7 +65,7 @@ bool print_independence(int starts) {
   std::printf("%-21s %-14s best     worst    auto  alone staged         CPU\n", "material",
               "model");
   Counts sums;
-  for (std::size_t set = 0; set < testing::kFitMaterials.size() + 4; ++set) {
+  for (std::size_t set = 0; set < testing::kFitMaterials.size() + kNoisySets; ++set) {
     const bool noisy = set >= testing::kFitMaterials.size();
     const char* name = testing::kFitMaterials[set % testing::kFitMaterials.size()];
     const fit::Data all = load(name, noisy ? 0.1 : 0, noisy ? 0.02 : 0);

@@ -31,6 +31,15 @@ Figure directions_figure(const chart::Table& table);
 Figure sampling_figure(const chart::Table& table);
 Figure resolution_figure(const chart::Table& table);
 
+// A panel that only says what marks mean; looks have a name, a colour and a shape.
+template <class Looks>
+Panel key_panel(const Looks& looks) {
+  Panel panel{"", {"", 0, 1, false}, {"", 0, 1, false}};
+  for (const auto& look : looks) panel.series.push_back({look.name, look.colour, look.shape});
+  panel.key = panel.only_key = true;
+  return panel;
+}
+
 // All numbers of a column.
 std::vector<double> numbers_of(const chart::Table& table, std::string_view column);
 // The Pareto front of two columns, of all rows.

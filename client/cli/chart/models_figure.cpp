@@ -29,13 +29,6 @@ constexpr std::array kLooks{
 
 constexpr double kErrorLow = 1e-17, kErrorHigh = 10;
 
-Panel key_panel() {
-  Panel panel{"", {"", 0, 1, false}, {"", 0, 1, false}};
-  for (const Look& look : kLooks) panel.series.push_back({look.name, look.colour, look.shape});
-  panel.key = panel.only_key = true;
-  return panel;
-}
-
 }  // namespace
 
 Figure models_figure(const chart::Table& table) {
@@ -72,7 +65,7 @@ Figure models_figure(const chart::Table& table) {
     panel.fronts = {front};
     figure.panels.push_back(std::move(panel));
   }
-  figure.panels.push_back(key_panel());
+  figure.panels.push_back(key_panel(kLooks));
   return figure;
 }
 

@@ -23,13 +23,6 @@ constexpr std::array kLooks{Look{"gonio", 30, "gonio's strategy, 30 deg", kBlue,
                             Look{"textbook", 75, "a textbook's loop, 75 deg", kRed, Shape::square}};
 constexpr double kLow = 1e-6, kHigh = 1e4;
 
-Panel key_panel() {
-  Panel panel{"", {"", 0, 1, false}, {"", 0, 1, false}};
-  for (const Look& look : kLooks) panel.series.push_back({look.name, look.colour, look.shape});
-  panel.key = panel.only_key = true;
-  return panel;
-}
-
 void add_mark(const chart::Table& table, std::size_t i, Panel& panel) {
   const auto* look = std::ranges::find_if(kLooks, [&](const Look& l) {
     return l.strategy == table.word(i, "strategy") && l.theta == table.number(i, "theta");
@@ -71,7 +64,7 @@ Figure sampling_figure(const chart::Table& table) {
     }
     figure.panels.push_back(std::move(panel));
   }
-  figure.panels.push_back(key_panel());
+  figure.panels.push_back(key_panel(kLooks));
   return figure;
 }
 
