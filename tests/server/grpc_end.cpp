@@ -1,6 +1,7 @@
-// gRPC ends on a thread of its own if one of its own threads held it last, and a test program that leaves in the middle of
-// that leaves threads behind, which the thread sanitizer reports. Every test program with gRPC in it therefore holds the
-// library from its first test to its last and then waits for its end.
+// gRPC ends on a thread of its own if one of its own threads held it last, and a test program that
+// leaves in the middle of that leaves threads behind, which the thread sanitizer reports. Every
+// test program with gRPC in it therefore holds the library from its first test to its last and then
+// waits for its end.
 #include <grpc/grpc.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ class GrpcUntilTheEnd : public testing::Environment {
  public:
   void SetUp() override { grpc_init(); }
 
-  // gRPC counts who uses it; the answer that nobody does comes only once all its threads are joined.
+  // gRPC counts who uses it, and says that nobody does only once all its threads are joined.
   void TearDown() override {
     using namespace std::chrono_literals;
     grpc_shutdown();
