@@ -39,7 +39,7 @@ std::vector<Indistinct> unseen(const Form& form, const Eigen::MatrixXd& H,
   std::vector<Indistinct> found;
   for (Eigen::Index k = 0; k < eigen.eigenvalues().size(); ++k) {
     if (eigen.eigenvalues()[k] > kUnseen) break;  // they come in rising order
-    Indistinct direction{{}, std::max(eigen.eigenvalues()[k], 0.0)};
+    Indistinct direction{{}, std::max(eigen.eigenvalues()[k], 0.0), {}};
     // Spread over many channels no parameter has much of it: then the largest takes part.
     const auto shares = eigen.eigenvectors().col(k).cwiseAbs();
     const double least = std::min(kTakesPart, 0.999 * shares.maxCoeff());
@@ -54,9 +54,10 @@ std::vector<Indistinct> unseen(const Form& form, const Eigen::MatrixXd& H,
   return found;
 }
 
-// Pairs of numbers whose estimates go together, each pair of fields once.
-void add_correlated(const std::vector<MaterialNumber>& numbers, const Eigen::MatrixXd& covariance,
-                    std::vector<Indistinct>& to) {
+// Pairs of numbers whose estimates go together, each pair of fields once. Those with the same
+// `slopes` are one number by the form that is fitted, which says nothing of the data.
+void add_correlated(const std::vector<MaterialNumber>& numbers, const Eigen::MatrixXd& slopes,
+                    const Eigen::MatrixXd& covariance, std::vector<Indistinct>& to) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     for (std::size_t j = i + 1; j < numbers.size(); ++j) {
       const auto a = static_cast<Eigen::Index>(i), b = static_cast<Eigen::Index>(j);
@@ -64,9 +65,10 @@ void add_correlated(const std::vector<MaterialNumber>& numbers, const Eigen::Mat
       const double correlation = size > 0 ? covariance(a, b) / size : 0;
       const std::vector fields{numbers[i].field, numbers[j].field};
       if (!(std::abs(correlation) > kTogether) || fields[0] == fields[1]) continue;
+      if (slopes.row(a) == slopes.row(b)) continue;
       const bool known = std::any_of(
           to.begin(), to.end(), [&](const Indistinct& other) { return other.fields == fields; });
-      if (!known) to.push_back({fields, 0, correlation});
+      if (!known) to.push_back({fields, std::max(1 - std::abs(correlation), 0.0), correlation});
     }
   }
 }
@@ -149,7 +151,7 @@ Uncertainty uncertainty_at(const Problem& problem, std::span<const double> param
   const Eigen::MatrixXd all = slopes_of(form, parameters, channels, numbers);
   const Eigen::MatrixXd J = all(Eigen::all, seen);
   const Eigen::MatrixXd curved = J * inverted * J.transpose();
-  add_correlated(numbers, curved, result.indistinct);
+  add_correlated(numbers, J, curved, result.indistinct);
   const Eigen::MatrixXd variance = share * J * inverted * S * inverted * J.transpose();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);

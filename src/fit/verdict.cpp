@@ -121,7 +121,7 @@ Reason wide_profile(const Certificate& report) {
 
 Reason unseen(const Certificate& report) {
   for (const Indistinct& direction : report.indistinct) {
-    if (direction.correlation == 1) return "the data do not tell apart " + joined(direction.fields);
+    if (!direction.correlation) return "the data do not tell apart " + joined(direction.fields);
   }
   return {};
 }

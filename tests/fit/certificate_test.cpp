@@ -86,5 +86,27 @@ TEST(Certificate, SaysWhatTheDataCannotTellApart) {
   EXPECT_THAT(result->certificate.reason, ::testing::HasSubstr("eta"));
 }
 
+// An isotropic material's two roughnesses are one parameter: that they are equal is no doubt.
+TEST(Certificate, WhatIsHeldEqualIsNotAmbiguous) {
+  const LobeSpec ggx{"ggx",
+                     {{"alpha_x", Numbers{0.2}}, {"alpha_y", Numbers{0.2}}, {"fresnel", "none"}}};
+  const LobeSpec ward{
+      "ward", {{"rs", Numbers{0.4}}, {"alpha_x", Numbers{0.2}}, {"alpha_y", Numbers{0.2}}}};
+  const LobeSpec ashikhmin{"ashikhmin_shirley", {{"nu", Numbers{50}}, {"nv", Numbers{50}}}};
+  for (const LobeSpec& lobe : {ggx, ward, ashikhmin}) {
+    MaterialSpec truth = kTruth;
+    truth.specular = {lobe};
+    const auto result =
+        fit::fit(data_of(truth, scattered_pairs(2000, 1), 0.02), form_of(truth), {});
+    ASSERT_TRUE(result.ok());
+    for (const fit::Indistinct& i : result->certificate.indistinct) {
+      EXPECT_THAT(i.fields, ::testing::Not(::testing::Contains(::testing::EndsWith("alpha_y"))));
+      EXPECT_THAT(i.fields, ::testing::Not(::testing::Contains(::testing::EndsWith("nv"))));
+    }
+    EXPECT_NE(result->certificate.verdict, fit::Verdict::ambiguous)
+        << lobe.model << ": " << result->certificate.reason;
+  }
+}
+
 }  // namespace
 }  // namespace gonio::testing
