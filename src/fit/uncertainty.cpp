@@ -101,14 +101,38 @@ std::vector<std::size_t> with_curvature(const Eigen::MatrixXd& H,
   return seen;
 }
 
-ParameterReport report_of(const MaterialNumber& number, bool determined, double standard_error) {
+// What the data say of a number, by the fit's parameters that it changes with.
+struct Says {
+  bool held = false;  // it changes with some, all at their bounds or within rounding of them
+  bool determined = true;
+};
+
+Says says_of(const Eigen::MatrixXd& slopes, Eigen::Index number,
+             const std::vector<std::size_t>& free, const std::vector<std::size_t>& seen) {
+  const auto has = [](const std::vector<std::size_t>& in, Eigen::Index parameter) {
+    return std::find(in.begin(), in.end(), static_cast<std::size_t>(parameter)) != in.end();
+  };
+  bool any_held = false, any_free = false;
+  Says says;
+  for (Eigen::Index j = 0; j < slopes.cols(); ++j) {
+    if (slopes(number, j) == 0) continue;
+    const bool is_free = has(free, j);
+    any_free = any_free || is_free;
+    any_held = any_held || !is_free;
+    if (is_free && !has(seen, j)) says.determined = false;
+  }
+  says.held = any_held && !any_free;
+  return says;
+}
+
+ParameterReport report_of(const MaterialNumber& number, const Says& says, double standard_error) {
   const Parameter& p = *number.parameter;
   ParameterReport report;
   report.field = number.field;
   report.channel = number.channel;
   report.value = number.value;
-  report.at_bound = number.value <= p.lower || number.value >= p.upper;
-  report.determined = determined && std::isfinite(standard_error);
+  report.at_bound = number.value <= p.lower || number.value >= p.upper || says.held;
+  report.determined = says.determined && std::isfinite(standard_error);
   report.lower = p.lower;
   report.upper = p.upper;
   if (!report.determined) return report;
@@ -155,13 +179,8 @@ Uncertainty uncertainty_at(const Problem& problem, std::span<const double> param
   const Eigen::MatrixXd variance = share * J * inverted * S * inverted * J.transpose();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    bool determined = true;
-    for (const std::size_t j : free) {
-      const bool blind = std::find(seen.begin(), seen.end(), j) == seen.end();
-      if (blind && all(at, static_cast<Eigen::Index>(j)) != 0) determined = false;
-    }
-    result.parameters.push_back(
-        report_of(numbers[i], determined, std::sqrt(std::max(variance(at, at), 0.0))));
+    result.parameters.push_back(report_of(numbers[i], says_of(all, at, free, seen),
+                                          std::sqrt(std::max(variance(at, at), 0.0))));
   }
   return result;
 }

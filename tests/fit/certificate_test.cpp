@@ -86,12 +86,24 @@ TEST(Certificate, SaysWhatTheDataCannotTellApart) {
   EXPECT_THAT(result->certificate.reason, ::testing::HasSubstr("eta"));
 }
 
+// Nor is a colour that ends within rounding of its bound known exactly.
+TEST(Certificate, ErrorsOfNothingAreAtABound) {
+  MaterialSpec truth = kTruth;
+  truth.diffuse->parameters["rd"] = Numbers{0};
+  const auto result = fit::fit(data_of(truth, scattered_pairs(2000, 1)), form_of(truth), {});
+  ASSERT_TRUE(result.ok());
+  const auto& rd = result->certificate.parameters.front();
+  EXPECT_EQ(rd.field, "diffuse.parameters.rd");
+  EXPECT_LT(rd.value, 1e-6);
+  EXPECT_TRUE(rd.at_bound || rd.standard_error > 0) << rd.value;
+}
+
 // An isotropic material's two roughnesses are one parameter: that they are equal is no doubt.
 TEST(Certificate, WhatIsHeldEqualIsNotAmbiguous) {
   const LobeSpec ggx{"ggx",
                      {{"alpha_x", Numbers{0.2}}, {"alpha_y", Numbers{0.2}}, {"fresnel", "none"}}};
-  const LobeSpec ward{
-      "ward", {{"rs", Numbers{0.4}}, {"alpha_x", Numbers{0.2}}, {"alpha_y", Numbers{0.2}}}};
+  const LobeSpec ward{"ward",
+                      {{"rs", Numbers{0.4}}, {"alpha_x", Numbers{0.2}}, {"alpha_y", Numbers{0.2}}}};
   const LobeSpec ashikhmin{"ashikhmin_shirley", {{"nu", Numbers{50}}, {"nv", Numbers{50}}}};
   for (const LobeSpec& lobe : {ggx, ward, ashikhmin}) {
     MaterialSpec truth = kTruth;
