@@ -1,7 +1,6 @@
 #include "client/material.h"
 
-#include <google/protobuf/util/json_util.h>
-
+#include "client/message_json.h"
 #include "gonio/v1/material.pb.h"
 #include "wire/convert.h"
 
@@ -64,11 +63,9 @@ Result<Material> Material::from_json(std::string_view json) {
 
 std::string Material::to_json() const {
   gonio::v1::Material message;
-  std::string json;
-  if (!message.ParseFromString(wire_) || !pb::util::MessageToJsonString(message, &json).ok()) {
-    return "{}";
-  }
-  return json;
+  if (!message.ParseFromString(wire_)) return "{}";
+  auto json = short_json_of(message);
+  return json ? *std::move(json) : "{}";
 }
 
 }  // namespace gonio::client

@@ -147,6 +147,12 @@ TEST(Material, AllFormsAgree) {
   EXPECT_EQ(Material::named("gold").to_json(), R"({"name":"gold"})");
 }
 
+TEST(Material, JsonHasParametersInTheOrderOfTheirNames) {
+  const std::string json =
+      R"({"model":"ggx","parameters":{"alpha_x":0.2,"alpha_y":0.3,"eta":1.5,"fresnel":"dielectric","scale":[1,2]}})";
+  EXPECT_EQ(Material::from_json(json)->to_json(), json);
+}
+
 TEST(DeadServer, IsNamedAndDoesNotHang) {
   ClientOptions options;
   options.max_retries = 1;
