@@ -120,5 +120,26 @@ TEST(Certificate, WhatIsHeldEqualIsNotAmbiguous) {
   }
 }
 
+// The order of two lobes of one kind is no other optimum.
+TEST(Certificate, LobesThatChangePlacesAreNotAmbiguous) {
+  const auto ggx = [](double alpha, double scale) {
+    return LobeSpec{"ggx",
+                    {{"alpha_x", Numbers{alpha}},
+                     {"alpha_y", Numbers{alpha}},
+                     {"scale", Numbers{scale}},
+                     {"fresnel", "none"}}};
+  };
+  MaterialSpec truth = kTruth;
+  truth.specular = {ggx(0.05, 0.2), ggx(0.4, 0.2)};
+  const fit::Data data = data_of(truth, scattered_pairs(3000, 1), 0.02);
+  for (const bool turned : {false, true}) {
+    MaterialSpec guess = truth;
+    if (turned) std::swap(guess.specular[0], guess.specular[1]);
+    const auto result = fit::fit(data, guess, {});
+    ASSERT_TRUE(result.ok());
+    EXPECT_EQ(result->certificate.verdict, fit::Verdict::converged) << result->certificate.reason;
+  }
+}
+
 }  // namespace
 }  // namespace gonio::testing
