@@ -105,6 +105,8 @@ run_step() {
       # too, for the sanitizer cannot tell the two apart. No report is suppressed.
       export TSAN_OPTIONS=second_deadlock_stack=1
       sanitize tsan engine wire
+      # A fit, like a selection and a chart, keeps to the thread that calls it; several run at once.
+      build tsan tests_fit && run_tests tsan --tests-regex '^FitRun\.IsTheSameOnEveryThread'
       TSAN_OPTIONS+=:ignore_noninstrumented_modules=1
       sanitize tsan server client ;;
     format) say "clang-format"; tests/style/format.sh; count "clang-format" $? ;;
