@@ -1,9 +1,9 @@
 #include "client/material.h"
 
-#include <google/protobuf/util/json_util.h>
-
+#include "client/message_json.h"
 #include "gonio/v1/material.pb.h"
 #include "wire/convert.h"
+#include "wire/message.h"
 
 namespace gonio::client {
 namespace {
@@ -39,36 +39,34 @@ void fill(gonio::v1::Lobe& target, const Lobe& lobe) {
 Material Material::named(std::string_view name) {
   gonio::v1::Material message;
   message.set_name(std::string(name));
-  return Material(message.SerializeAsString());
+  return Material(wire::to_bytes(message));
 }
 
 Material Material::model(std::string_view name, const Parameters& parameters) {
   gonio::v1::Material message;
   message.set_model(std::string(name));
   fill(*message.mutable_parameters(), parameters);
-  return Material(message.SerializeAsString());
+  return Material(wire::to_bytes(message));
 }
 
 Material Material::sum(const std::optional<Lobe>& diffuse, const std::vector<Lobe>& specular) {
   gonio::v1::Material message;
   if (diffuse) fill(*message.mutable_diffuse(), *diffuse);
   for (const Lobe& lobe : specular) fill(*message.add_specular(), lobe);
-  return Material(message.SerializeAsString());
+  return Material(wire::to_bytes(message));
 }
 
 Result<Material> Material::from_json(std::string_view json) {
   auto message = wire::material_from_json(json);
   if (!message) return std::move(message).error();
-  return Material(message->SerializeAsString());
+  return Material(wire::to_bytes(*message));
 }
 
 std::string Material::to_json() const {
   gonio::v1::Material message;
-  std::string json;
-  if (!message.ParseFromString(wire_) || !pb::util::MessageToJsonString(message, &json).ok()) {
-    return "{}";
-  }
-  return json;
+  if (!message.ParseFromString(wire_)) return "{}";
+  const auto json = brief_json_of(message);
+  return json ? *json : "{}";
 }
 
 }  // namespace gonio::client

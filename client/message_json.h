@@ -15,8 +15,11 @@ class Material;
 
 namespace gonio::client {
 
-// Its fields named as in the .proto, those of numbers there also where they are 0.
+// The same text for the same message, always. Its fields named as in the .proto, those of numbers
+// there also where they are 0.
 Result<std::string> json_of(const google::protobuf::Message& message);
+// On one line, without what is not given.
+Result<std::string> brief_json_of(const google::protobuf::Message& message);
 
 Result<Material> material_of(const gonio::v1::Material& material);
 
