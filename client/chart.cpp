@@ -19,7 +19,7 @@ namespace v1 = gonio::v1;
 Outcome check(const ChartOptions& options) {
   if (options.repetitions == 0) return bad_value("repetitions", "0", "1 to 1000");
   if (options.seconds == 0) return bad_value("seconds", "0", "1e-6 to 0.1");
-  if (options.pairs_at_a_place == 0) return bad_value("pairs_at_a_place", "0", "1 to 100000");
+  if (options.pairs_at_a_place == 0) return bad_value("pairs_at_a_place", "0", "1 to 20000");
   if (options.seed == 0) return bad_value("seed", "0", "1 or more");
   return Ok{};
 }
