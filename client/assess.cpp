@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -6,6 +5,7 @@
 #include "client/client.h"
 #include "client/convert.h"
 #include "client/message_json.h"
+#include "client/repeated.h"
 #include "client/state.h"
 #include "gonio/v1/assess.pb.h"
 #include "wire/bytes.h"
@@ -51,24 +51,6 @@ Result<v1::AssessRequest> request_of(const Material& material, const AssessOptio
   return request;
 }
 
-template <class From, class Convert>
-auto all(const From& from, const Convert& convert) {
-  std::vector<decltype(convert(from[0]))> to;
-  to.reserve(static_cast<std::size_t>(from.size()));
-  for (const auto& element : from) to.push_back(convert(element));
-  return to;
-}
-
-std::array<double, 3> direction_of(const google::protobuf::RepeatedField<double>& from) {
-  std::array<double, 3> to{};
-  std::copy_n(from.begin(), std::min(from.size(), 3), to.begin());
-  return to;
-}
-
-std::vector<double> numbers_of(const google::protobuf::RepeatedField<double>& from) {
-  return {from.begin(), from.end()};
-}
-
 AssessWorst worst_of(const v1::AssessWorst& from) {
   return {
       from.error(), direction_of(from.wi()), direction_of(from.wo()), from.channel(), from.value(),
@@ -95,9 +77,9 @@ AssessPlace place_of(const v1::AssessPlace& from) {
 AssessIncidence incidence_of(const v1::AssessIncidence& from) {
   AssessIncidence to;
   to.theta = from.theta(), to.phi = from.phi();
-  to.albedo = numbers_of(from.albedo());
-  to.sampled = numbers_of(from.sampled());
-  to.standard_error = numbers_of(from.standard_error());
+  to.albedo = list<double>(from.albedo());
+  to.sampled = list<double>(from.sampled());
+  to.standard_error = list<double>(from.standard_error());
   to.mass = from.mass(), to.lost = from.lost(), to.unsure = from.unsure();
   to.probability = from.probability();
   to.weight = worst_of(from.weight());

@@ -8,6 +8,7 @@
 #include "client/progress_call.h"
 #include "client/state.h"
 #include "gonio/v1/chart.pb.h"
+#include "wire/message.h"
 
 namespace gonio::client {
 namespace {
@@ -18,7 +19,7 @@ namespace v1 = gonio::v1;
 Outcome check(const ChartOptions& options) {
   if (options.repetitions == 0) return bad_value("repetitions", "0", "1 to 1000");
   if (options.seconds == 0) return bad_value("seconds", "0", "1e-6 to 0.1");
-  if (options.pairs_at_a_place == 0) return bad_value("pairs_at_a_place", "0", "1 to 100000");
+  if (options.pairs_at_a_place == 0) return bad_value("pairs_at_a_place", "0", "1 to 20000");
   if (options.seed == 0) return bad_value("seed", "0", "1 or more");
   return Ok{};
 }
@@ -100,7 +101,7 @@ Result<Chart> Client::chart(const ChartOptions& options, const ChartWatch& watch
   std::optional<v1::ChartResult> result;
   const auto take = [&](grpc::ByteBuffer& bytes) {
     v1::ChartResponse response;
-    if (!from_buffer(bytes, response)) return false;
+    if (!wire::from_buffer(bytes, response)) return false;
     if (response.has_result()) result = std::move(*response.mutable_result());
     if (response.has_progress() && watch.progress)
       watch.progress({response.progress().stage(), response.progress().done()});
@@ -108,7 +109,7 @@ Result<Chart> Client::chart(const ChartOptions& options, const ChartWatch& watch
   };
   Patience patience(state_->options, options.deadline);
   const auto done = call_with_progress(state_->peer, {kChartMethod, "the chart"},
-                                       to_buffer(*request), patience, watch.stop, take);
+                                       wire::to_buffer(*request), patience, watch.stop, take);
   if (!done) return done.error();
   return chart_of(*result, state_->peer);
 }

@@ -2,7 +2,6 @@
 
 #include <grpc/grpc.h>
 #include <grpcpp/create_channel.h>
-#include <grpcpp/impl/codegen/proto_utils.h>
 #include <grpcpp/security/credentials.h>
 #include <grpcpp/support/channel_arguments.h>
 
@@ -17,6 +16,7 @@
 #include "client/rpc.h"
 #include "client/state.h"
 #include "gonio/v1/models.pb.h"
+#include "wire/message.h"
 
 namespace gonio::client {
 namespace {
@@ -71,22 +71,15 @@ grpc::ChannelArguments arguments(const ClientOptions& options) {
   return arguments;
 }
 
-template <class Message>
-grpc::ByteBuffer to_buffer(const Message& message) {
-  const grpc::Slice slice(message.SerializeAsString());
-  return {&slice, 1};
-}
-
 Result<gonio::v1::ListModelsResponse> list(const Peer& peer, const ClientOptions& options,
                                            std::string_view name) {
   gonio::v1::ListModelsRequest request;
   request.set_name(std::string(name));
   Patience patience(options, std::nullopt);
-  auto bytes = call(peer, kListModelsMethod, to_buffer(request), patience);
+  auto bytes = call(peer, kListModelsMethod, wire::to_buffer(request), patience);
   if (!bytes) return bytes.error();
   gonio::v1::ListModelsResponse response;
-  if (!grpc::SerializationTraits<gonio::v1::ListModelsResponse>::Deserialize(&*bytes, &response)
-           .ok()) {
+  if (!wire::from_buffer(*bytes, response)) {
     return Error{ErrorCode::internal, peer.name + " sent a list that cannot be read", {}, {}, {}};
   }
   return response;

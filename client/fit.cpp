@@ -5,6 +5,7 @@
 #include "client/fit_convert.h"
 #include "client/progress_call.h"
 #include "client/state.h"
+#include "wire/message.h"
 
 namespace gonio::client {
 
@@ -15,14 +16,14 @@ Result<FitResult> Client::fit(const FitData& data, const Material& form, const F
   std::optional<gonio::v1::FitResult> result;
   const auto take = [&](grpc::ByteBuffer& bytes) {
     gonio::v1::FitResponse response;
-    if (!from_buffer(bytes, response)) return false;
+    if (!wire::from_buffer(bytes, response)) return false;
     if (response.has_result()) result = std::move(*response.mutable_result());
     if (response.has_progress() && watch.progress) watch.progress(progress_of(response.progress()));
     return result.has_value();
   };
   Patience patience(state_->options, options.deadline);
-  const auto done = call_with_progress(state_->peer, {kFitMethod, "the fit"}, to_buffer(*request),
-                                       patience, watch.stop, take);
+  const auto done = call_with_progress(state_->peer, {kFitMethod, "the fit"},
+                                       wire::to_buffer(*request), patience, watch.stop, take);
   if (!done) return done.error();
   return fit_result_of(*result);
 }

@@ -1,10 +1,10 @@
 #include "client/fit_convert.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "client/message_json.h"
+#include "client/repeated.h"
 
 namespace gonio::client {
 namespace {
@@ -24,19 +24,6 @@ Verdict verdict_of(v1::FitVerdict verdict) {
     default:
       return Verdict::unknown;
   }
-}
-
-template <class To, class From>
-std::vector<To> list(const From& from) {
-  return {from.begin(), from.end()};
-}
-
-template <class From, class Convert>
-auto all(const From& from, const Convert& convert) {
-  std::vector<decltype(convert(from[0]))> to;
-  to.reserve(static_cast<std::size_t>(from.size()));
-  for (const auto& element : from) to.push_back(convert(element));
-  return to;
 }
 
 FitLeftOut left_out_of(const v1::FitLeftOut& from) {
@@ -68,12 +55,6 @@ FitProfile profile_of(const v1::FitProfile& from) {
 
 FitErrors errors_of(const v1::FitErrors& from) {
   return {from.l1(), from.rmse(), from.log(), from.cbrt(), from.pairs()};
-}
-
-std::array<double, 3> direction_of(const google::protobuf::RepeatedField<double>& from) {
-  std::array<double, 3> to{};
-  std::copy_n(from.begin(), std::min(from.size(), 3), to.begin());
-  return to;
 }
 
 FitPlace place_of(const v1::FitPlace& from) {

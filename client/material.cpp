@@ -3,6 +3,7 @@
 #include "client/message_json.h"
 #include "gonio/v1/material.pb.h"
 #include "wire/convert.h"
+#include "wire/message.h"
 
 namespace gonio::client {
 namespace {
@@ -38,34 +39,34 @@ void fill(gonio::v1::Lobe& target, const Lobe& lobe) {
 Material Material::named(std::string_view name) {
   gonio::v1::Material message;
   message.set_name(std::string(name));
-  return Material(message.SerializeAsString());
+  return Material(wire::to_bytes(message));
 }
 
 Material Material::model(std::string_view name, const Parameters& parameters) {
   gonio::v1::Material message;
   message.set_model(std::string(name));
   fill(*message.mutable_parameters(), parameters);
-  return Material(message.SerializeAsString());
+  return Material(wire::to_bytes(message));
 }
 
 Material Material::sum(const std::optional<Lobe>& diffuse, const std::vector<Lobe>& specular) {
   gonio::v1::Material message;
   if (diffuse) fill(*message.mutable_diffuse(), *diffuse);
   for (const Lobe& lobe : specular) fill(*message.add_specular(), lobe);
-  return Material(message.SerializeAsString());
+  return Material(wire::to_bytes(message));
 }
 
 Result<Material> Material::from_json(std::string_view json) {
   auto message = wire::material_from_json(json);
   if (!message) return std::move(message).error();
-  return Material(message->SerializeAsString());
+  return Material(wire::to_bytes(*message));
 }
 
 std::string Material::to_json() const {
   gonio::v1::Material message;
   if (!message.ParseFromString(wire_)) return "{}";
-  auto json = short_json_of(message);
-  return json ? *std::move(json) : "{}";
+  const auto json = brief_json_of(message);
+  return json ? *json : "{}";
 }
 
 }  // namespace gonio::client

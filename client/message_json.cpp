@@ -1,55 +1,46 @@
 #include "client/message_json.h"
 
-#include <google/protobuf/io/coded_stream.h>
-#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
+#include <google/protobuf/message.h>
 #include <google/protobuf/util/json_util.h>
 #include <google/protobuf/util/type_resolver_util.h>
 
 #include <memory>
 
 #include "gonio/v1/material.pb.h"
+#include "wire/message.h"
 
 namespace gonio::client {
-
 namespace {
 
-namespace pb = google::protobuf;
+namespace util = google::protobuf::util;
 
-// MessageToJsonString begins with bytes whose maps are in any order, another in each process.
-std::string ordered_bytes(const pb::Message& message) {
-  std::string bytes;
-  pb::io::StringOutputStream stream(&bytes);
-  pb::io::CodedOutputStream coded(&stream);
-  coded.SetSerializationDeterministic(true);
-  message.SerializeToCodedStream(&coded);
-  coded.Trim();
-  return bytes;
-}
-
-Result<std::string> json_with(const pb::Message& message,
-                              const pb::util::JsonPrintOptions& options) {
+// Protobuf's own way from a message has the entries of maps in any order; that from bytes keeps
+// theirs.
+Result<std::string> json_of(const google::protobuf::Message& message,
+                            const util::JsonPrintOptions& options) {
   constexpr const char* kPrefix = "type.googleapis.com";
-  static const std::unique_ptr<pb::util::TypeResolver> types(
-      pb::util::NewTypeResolverForDescriptorPool(kPrefix, pb::DescriptorPool::generated_pool()));
+  static const std::unique_ptr<util::TypeResolver> types(util::NewTypeResolverForDescriptorPool(
+      kPrefix, google::protobuf::DescriptorPool::generated_pool()));
   std::string json;
-  const auto status = pb::util::BinaryToJsonString(
-      types.get(), kPrefix + ("/" + message.GetDescriptor()->full_name()), ordered_bytes(message),
-      &json, options);
+  const auto status = util::BinaryToJsonString(types.get(), kPrefix + ("/" + message.GetTypeName()),
+                                               wire::to_bytes(message), &json, options);
   if (!status.ok()) return Error{ErrorCode::internal, status.ToString(), {}, {}, {}};
   return json;
 }
 
 }  // namespace
 
-Result<std::string> json_of(const pb::Message& message) {
-  pb::util::JsonPrintOptions options;
+Result<std::string> json_of(const google::protobuf::Message& message) {
+  util::JsonPrintOptions options;
   options.add_whitespace = true;
   options.always_print_primitive_fields = true;
   options.preserve_proto_field_names = true;
-  return json_with(message, options);
+  return json_of(message, options);
 }
 
-Result<std::string> short_json_of(const pb::Message& message) { return json_with(message, {}); }
+Result<std::string> brief_json_of(const google::protobuf::Message& message) {
+  return json_of(message, {});
+}
 
 Result<Material> material_of(const gonio::v1::Material& material) {
   const auto json = json_of(material);

@@ -15,12 +15,11 @@ class Material;
 
 namespace gonio::client {
 
-// Its fields named as in the .proto, those of numbers there also where they are 0. Parameters come
-// in the order of their names, so that what is equal is equal to the byte.
+// The same text for the same message, always. Its fields named as in the .proto, those of numbers
+// there also where they are 0.
 Result<std::string> json_of(const google::protobuf::Message& message);
-
-// The same in one line, without what has its default.
-Result<std::string> short_json_of(const google::protobuf::Message& message);
+// On one line, without what is not given.
+Result<std::string> brief_json_of(const google::protobuf::Message& message);
 
 Result<Material> material_of(const gonio::v1::Material& material);
 

@@ -2,7 +2,6 @@
 // the client library. Thread safety: used by one thread.
 #pragma once
 
-#include <grpcpp/impl/codegen/proto_utils.h>
 #include <grpcpp/support/byte_buffer.h>
 
 #include <functional>
@@ -25,19 +24,5 @@ Outcome call_with_progress(const Peer& peer, const ProgressMethod& method,
                            const grpc::ByteBuffer& request, Patience& patience,
                            const std::function<bool()>& stop,
                            const std::function<bool(grpc::ByteBuffer&)>& take);
-
-template <class Message>
-grpc::ByteBuffer to_buffer(const Message& message) {
-  grpc::ByteBuffer buffer;
-  bool own = false;
-  grpc::SerializationTraits<Message>::Serialize(message, &buffer, &own);
-  return buffer;
-}
-
-// Takes the buffer. False for bytes that are no such message.
-template <class Message>
-bool from_buffer(grpc::ByteBuffer& buffer, Message& message) {
-  return grpc::SerializationTraits<Message>::Deserialize(&buffer, &message).ok();
-}
 
 }  // namespace gonio::client

@@ -1,5 +1,3 @@
-#include <grpcpp/impl/codegen/proto_utils.h>
-
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -9,6 +7,7 @@
 #include "client/progress_call.h"
 #include "client/state.h"
 #include "gonio/v1/put.pb.h"
+#include "wire/message.h"
 #include "wire/sha256.h"
 
 namespace gonio::client {
@@ -75,7 +74,7 @@ class PutAttempt {
     return call_->next(&tag, &ok) && ok;
   }
   bool write(const v1::PutMaterialRequest& request) {
-    call_->outgoing = to_buffer(request);
+    call_->outgoing = wire::to_buffer(request);
     call_->stream->Write(call_->outgoing, nullptr);
     return happens();
   }
@@ -85,7 +84,7 @@ class PutAttempt {
 
 Result<PutReport> report_of(grpc::ByteBuffer& bytes, const std::string& peer) {
   v1::PutMaterialResponse response;
-  if (!grpc::SerializationTraits<v1::PutMaterialResponse>::Deserialize(&bytes, &response).ok())
+  if (!wire::from_buffer(bytes, response))
     return Error{ErrorCode::internal, peer + " sent an answer that cannot be read", {}, {}, {}};
   PutReport report;
   report.place =

@@ -5,6 +5,7 @@
 #include "client/progress_call.h"
 #include "client/select_convert.h"
 #include "client/state.h"
+#include "wire/message.h"
 
 namespace gonio::client {
 
@@ -15,7 +16,7 @@ Result<Selection> Client::select(const SelectReference& reference, const SelectS
   std::optional<gonio::v1::SelectResult> result;
   const auto take = [&](grpc::ByteBuffer& bytes) {
     gonio::v1::SelectResponse response;
-    if (!from_buffer(bytes, response)) return false;
+    if (!wire::from_buffer(bytes, response)) return false;
     if (response.has_result()) result = std::move(*response.mutable_result());
     if (response.has_progress() && watch.progress) {
       const auto& at = response.progress();
@@ -25,7 +26,7 @@ Result<Selection> Client::select(const SelectReference& reference, const SelectS
   };
   Patience patience(state_->options, options.deadline);
   const auto done = call_with_progress(state_->peer, {kSelectMethod, "the selection"},
-                                       to_buffer(*request), patience, watch.stop, take);
+                                       wire::to_buffer(*request), patience, watch.stop, take);
   if (!done) return done.error();
   return selection_of(*result);
 }

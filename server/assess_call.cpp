@@ -1,6 +1,5 @@
 #include "server/assess_call.h"
 
-#include <grpcpp/impl/codegen/proto_utils.h>
 #include <grpcpp/server_context.h>
 
 #include <utility>
@@ -9,6 +8,7 @@
 #include "base/happens_before.h"
 #include "server/assess_request.h"
 #include "wire/convert.h"
+#include "wire/message.h"
 #include "wire/status.h"
 
 namespace gonio {
@@ -53,8 +53,7 @@ void AssessCall::run() {
   background_.access().kernel_seconds = report->cpu_seconds;
   v1::AssessResponse response = to_wire(*report);
   response.set_instruction_set(wire::to_wire(isa_));
-  bool own = false;
-  grpc::SerializationTraits<v1::AssessResponse>::Serialize(response, &response_, &own);
+  response_ = wire::to_buffer(response);
   end(grpc::Status::OK);
 }
 

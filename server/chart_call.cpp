@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "wire/message.h"
+
 namespace gonio {
 namespace {
 
@@ -9,7 +11,7 @@ grpc::ByteBuffer to_event(std::string_view stage, double done) {
   v1::ChartResponse response;
   response.mutable_progress()->set_stage(std::string(stage));
   response.mutable_progress()->set_done(done);
-  return to_buffer(response);
+  return wire::to_buffer(response);
 }
 
 }  // namespace
@@ -39,7 +41,7 @@ Result<grpc::ByteBuffer> ChartCall::work() {
   for (const chart::Table& table : *tables) background().access().items += table.rows.size();
   v1::ChartResponse response;
   *response.mutable_result() = to_wire(*tables, chart::this_machine());
-  return to_buffer(response);
+  return wire::to_buffer(response);
 }
 
 }  // namespace gonio

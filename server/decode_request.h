@@ -1,7 +1,6 @@
 // Requests from their bytes. Thread safety: a function without state.
 #pragma once
 
-#include <grpcpp/impl/codegen/proto_utils.h>
 #include <grpcpp/support/byte_buffer.h>
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include "wire/bytes.h"
 #include "wire/fields.h"
 #include "wire/material_size.h"
+#include "wire/message.h"
 
 namespace gonio {
 
@@ -33,7 +33,7 @@ Result<Message> decode_request(const grpc::ByteBuffer& buffer,
   if (auto small = wire::check_material_size(size); !small) return small.error();
   grpc::ByteBuffer copy(buffer);  // of references
   Message request;
-  if (!fields.ok() || !grpc::SerializationTraits<Message>::Deserialize(&copy, &request).ok())
+  if (!fields.ok() || !wire::from_buffer(copy, request))
     return bad_value("request", "not a " + request.GetTypeName(), "the bytes of one");
   return request;
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "server/fit_messages.h"
+#include "wire/message.h"
 
 namespace gonio {
 namespace {
@@ -23,7 +24,7 @@ Error within_request(Error error) {
 grpc::ByteBuffer to_event(v1::FitProgress progress) {
   v1::FitResponse response;
   *response.mutable_progress() = std::move(progress);
-  return to_buffer(response);
+  return wire::to_buffer(response);
 }
 
 grpc::ByteBuffer at_stage(const char* stage) {
@@ -63,7 +64,7 @@ Result<grpc::ByteBuffer> FitCall::work() {
   background().access().kernel_seconds = result->certificate.cpu_seconds;
   v1::FitResponse response;
   *response.mutable_result() = to_wire(*result);
-  return to_buffer(response);
+  return wire::to_buffer(response);
 }
 
 }  // namespace gonio

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <grpcpp/alarm.h>
-#include <grpcpp/impl/codegen/proto_utils.h>
 #include <grpcpp/support/byte_buffer.h>
 #include <grpcpp/support/server_callback.h>
 
@@ -71,13 +70,5 @@ class ProgressCall : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
   bool finished_ = false;
   std::shared_ptr<ProgressCall> self_;
 };
-
-template <class Message>
-grpc::ByteBuffer to_buffer(const Message& message) {
-  grpc::ByteBuffer buffer;
-  bool own = false;
-  grpc::SerializationTraits<Message>::Serialize(message, &buffer, &own);
-  return buffer;
-}
 
 }  // namespace gonio

@@ -1,11 +1,11 @@
 #include "server/put_call.h"
 
-#include <grpcpp/impl/codegen/proto_utils.h>
 #include <grpcpp/server_context.h>
 
 #include <utility>
 
 #include "measured/table.h"
+#include "wire/message.h"
 #include "wire/status.h"
 
 namespace gonio {
@@ -65,7 +65,7 @@ void PutCall::OnReadDone(bool ok) {
 
 Outcome PutCall::take() {
   v1::PutMaterialRequest part;
-  if (!grpc::SerializationTraits<v1::PutMaterialRequest>::Deserialize(&incoming_, &part).ok())
+  if (!wire::from_buffer(incoming_, part))
     return bad_value("request", "not a " + part.GetTypeName(), "the bytes of one");
   incoming_.Clear();
   return upload_.take(part);
@@ -86,9 +86,7 @@ void PutCall::store() {
   if (state_.is_over()) return refuse(cancelled());
   const auto result = backend_.materials.put(upload_.name(), upload_.take_content(), upload_.sum());
   if (!result) return refuse(result.error());
-  const auto response = to_wire(upload_.name(), *result);
-  bool own = false;
-  grpc::SerializationTraits<v1::PutMaterialResponse>::Serialize(response, &response_, &own);
+  response_ = wire::to_buffer(to_wire(upload_.name(), *result));
   end(grpc::Status::OK);
 }
 

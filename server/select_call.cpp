@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "server/select_messages.h"
+#include "wire/message.h"
 
 namespace gonio {
 namespace {
@@ -15,7 +16,7 @@ grpc::ByteBuffer to_event(const char* stage, const std::string& candidate = {},
   progress.set_candidate(candidate);
   progress.set_done(done);
   progress.set_candidates(of);
-  return to_buffer(response);
+  return wire::to_buffer(response);
 }
 
 }  // namespace
@@ -53,7 +54,7 @@ Result<grpc::ByteBuffer> SelectCall::work() {
   if (!selection) return selection.error();
   v1::SelectResponse response;
   *response.mutable_result() = to_wire(*selection);
-  return to_buffer(response);
+  return wire::to_buffer(response);
 }
 
 }  // namespace gonio

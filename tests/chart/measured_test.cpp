@@ -3,6 +3,7 @@
 
 #include "chart/chart_tables.h"
 #include "chart/example.h"
+#include "effort.h"
 
 namespace gonio::testing {
 namespace {
@@ -11,7 +12,8 @@ namespace {
 const chart::Measured& measured() {
   static const chart::Measured found = [] {
     auto table = chart::example_table(1);
-    return chart::Measured{"paint", fit::subset(fit::from_table(*table), 3000, 1), table};
+    const std::size_t pairs = kSlower > 1 ? 600 : 3000;
+    return chart::Measured{"paint", fit::subset(fit::from_table(*table), pairs, 1), table};
   }();
   return found;
 }

@@ -1,9 +1,8 @@
 // `gonio assess` as users and pipelines see it: the table, the report, the exit status.
 #include <gmock/gmock.h>
-#include <google/protobuf/struct.pb.h>
-#include <google/protobuf/util/json_util.h>
 #include <gtest/gtest.h>
 
+#include "cli/json_text.h"
 #include "cli/run_process.h"
 
 namespace gonio::test {
@@ -16,12 +15,6 @@ using ::testing::Not;
 
 const std::string kAssess =
     R"(gonio assess --pairs 300 --material '{"model": "cook_torrance", "parameters": {"m": 0.01, "f0": [0.9, 0.5, 0.2]}}' )";
-
-google::protobuf::Struct json(const std::string& text) {
-  google::protobuf::Struct parsed;
-  EXPECT_TRUE(google::protobuf::util::JsonStringToMessage(text, &parsed).ok()) << text;
-  return parsed;
-}
 
 TEST(AssessCommand, PrintsATableAndPasses) {
   const auto result = shell(kAssess);

@@ -1,12 +1,12 @@
 // `gonio chart` as users see it: the files, what they hold, and errors.
 #include <gmock/gmock.h>
-#include <google/protobuf/struct.pb.h>
-#include <google/protobuf/util/json_util.h>
+#include <google/protobuf/util/message_differencer.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
+#include "cli/chart_files.h"
+#include "cli/json_text.h"
 #include "cli/run_process.h"
+#include "cli/socket_server.h"
 
 namespace gonio::test {
 namespace {
@@ -14,59 +14,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::Not;
 using ::testing::StartsWith;
-
-using Value = google::protobuf::Value;
-
-std::vector<std::string> files_in(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    names.push_back(entry.path().filename());
-  std::ranges::sort(names);
-  return names;
-}
-
-std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields{""};
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') quoted = !quoted;
-    if (c == ',' && !quoted) fields.emplace_back();
-    if (c != '"' && (c != ',' || quoted)) fields.back() += c;
-  }
-  return fields;
-}
-
-// The same numbers and words in both files, column by column.
-void expect_same(const google::protobuf::Struct& table, const std::string& csv) {
-  const auto lines = lines_of(csv);
-  const auto& columns = table.fields().at("columns").list_value();
-  const auto& rows = table.fields().at("rows").list_value();
-  ASSERT_EQ(lines.size(), static_cast<std::size_t>(rows.values_size()) + 1);
-  const auto header = fields_of(lines[0]);
-  ASSERT_EQ(header.size(), static_cast<std::size_t>(columns.values_size()));
-  for (int c = 0; c < columns.values_size(); ++c) {
-    const auto& column = columns.values(c).struct_value().fields();
-    EXPECT_EQ(column.at("name").string_value(), header[static_cast<std::size_t>(c)]);
-    EXPECT_FALSE(column.at("meaning").string_value().empty());
-  }
-  for (int r = 0; r < rows.values_size(); ++r) {
-    const auto& row = rows.values(r).struct_value().fields();
-    const auto fields = fields_of(lines[static_cast<std::size_t>(r) + 1]);
-    ASSERT_EQ(fields.size(), header.size());
-    for (std::size_t c = 0; c < header.size(); ++c) {
-      const Value& value = row.at(header[c]);
-      if (value.kind_case() == Value::kStringValue) {
-        EXPECT_EQ(value.string_value(), fields[c]);
-      } else if (value.kind_case() == Value::kNumberValue) {
-        EXPECT_EQ(value.number_value(), std::stod(fields[c]));
-      } else {
-        EXPECT_EQ(fields[c], "");
-      }
-    }
-  }
-}
 
 TEST(ChartCommand, WritesTablesAndFigures) {
   const gonio::testing::TempFolder folder;
@@ -80,16 +28,14 @@ TEST(ChartCommand, WritesTablesAndFigures) {
                                      "fresnel.svg", "fresnel_angles.csv", "fresnel_angles.gp",
                                      "fresnel_angles.png", "fresnel_angles.svg", "printed.csv",
                                      "printed.gp", "printed.png", "printed.svg"));
-  google::protobuf::Struct chart;
-  ASSERT_TRUE(
-      google::protobuf::util::JsonStringToMessage(read_file(out + "/chart.json"), &chart).ok());
+  const auto chart = json(read_file(out + "/chart.json"));
   const auto& machine = chart.fields().at("machine").struct_value().fields();
   EXPECT_FALSE(machine.at("processor").string_value().empty());
   EXPECT_GE(machine.at("cores").number_value(), 1);
   EXPECT_FALSE(machine.at("gonio").string_value().empty());
   EXPECT_EQ(chart.fields().at("effort").struct_value().fields().at("repetitions").number_value(),
             5);
-  for (const Value& table : chart.fields().at("tables").list_value().values()) {
+  for (const auto& table : chart.fields().at("tables").list_value().values()) {
     const std::string name = table.struct_value().fields().at("name").string_value();
     expect_same(table.struct_value(), read_file(out + "/" + name + ".csv"));
     EXPECT_THAT(read_file(out + "/" + name + ".png"), StartsWith("\x89PNG"));
@@ -106,6 +52,45 @@ TEST(ChartCommand, MeasuresTheWireOfAServerOfItsOwn) {
   const auto lines = lines_of(read_file(out + "/wire.csv"));
   EXPECT_THAT(lines.front(), StartsWith("form,call,pairs,chunk,us,"));
   EXPECT_THAT(lines, ::testing::Contains(StartsWith("grid,stream,1048576,65536,")));
+}
+
+// A server's measurements on this machine differ from the tool's own in nothing but times, of its
+// own cases and of pairs that are sent to it.
+TEST(ChartCommand, AServersChartIsTheSameButForTimes) {
+  const gonio::testing::TempFolder folder;
+  const SocketServer server;
+  std::string rows = "theta_i,phi_i,theta_o,phi_o,f_0\n";
+  for (int i = 0; i < 300; ++i)
+    rows += std::to_string(i % 7 * 0.2) + ",0," + std::to_string(i % 11 * 0.1) + "," +
+            std::to_string(i % 13 * 0.4) + "," + std::to_string(0.1 + i % 7 * 0.01) + "\n";
+  write_file(folder / "pairs.csv", rows);
+  const auto chart = [&](const std::string& name, const std::string& where) {
+    const auto result = shell("cd '" + (folder / "").string() +
+                              "' && gonio chart --quick --quiet --parts fits,approximations "
+                              "--data pairs.csv -o " +
+                              name + where);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return json(read_file(folder / (name + "/chart.json"))).fields();
+  };
+  const auto own = chart("own", ""), other = chart("other", " --server " + server.address());
+  EXPECT_TRUE(
+      google::protobuf::util::MessageDifferencer::Equals(own.at("machine"), other.at("machine")));
+  EXPECT_EQ(files_in(folder / "own"), files_in(folder / "other"));
+  for (const char* table : {"fits", "fresnel", "fresnel_angles", "printed"}) {
+    const auto csv = [&](const std::string& of) {
+      return what_is_not_timed(read_file(folder / (of + "/" + table + ".csv")));
+    };
+    EXPECT_EQ(csv("own"), csv("other")) << table;
+  }
+}
+
+TEST(ChartCommand, AServerThatIsNotThereExitsWithThree) {
+  const gonio::testing::TempFolder folder;
+  const std::string out = folder / "chart";
+  const auto result = shell("gonio chart --quick --server 127.0.0.1:1 -o " + out);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("127.0.0.1:1"));
+  EXPECT_THAT(files_in(out), IsEmpty());
 }
 
 // What is already there stays, and tables without figures are still tables.

@@ -1,11 +1,10 @@
 // `gonio fit` and `gonio compare` as users see them: data in, material, table and report out.
 #include <gmock/gmock.h>
-#include <google/protobuf/struct.pb.h>
-#include <google/protobuf/util/json_util.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "cli/json_text.h"
 #include "cli/npy_file.h"
 #include "cli/run_process.h"
 #include "data_folder.h"
@@ -20,12 +19,6 @@ using ::testing::IsEmpty;
 const std::string kTruth =
     R"({"diffuse": {"model": "lambertian", "parameters": {"rd": [0.3, 0.1, 0.05]}},
         "specular": [{"model": "ggx", "parameters": {"f0": [0.3, 0.2, 0.1], "alpha_x": 0.15, "alpha_y": 0.15}}]})";
-
-google::protobuf::Struct json(const std::string& text) {
-  google::protobuf::Struct parsed;
-  EXPECT_TRUE(google::protobuf::util::JsonStringToMessage(text, &parsed).ok()) << text;
-  return parsed;
-}
 
 const google::protobuf::Value& at(const google::protobuf::Struct& object, const std::string& name) {
   return object.fields().at(name);

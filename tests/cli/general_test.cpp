@@ -4,7 +4,7 @@
 
 #include "base/version.h"
 #include "cli/run_process.h"
-#include "server/server.h"
+#include "cli/socket_server.h"
 
 namespace gonio::test {
 namespace {
@@ -84,21 +84,9 @@ TEST(Models, ExamplesOnThePagesRun) {
 
 class WithServer : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::filesystem::create_directory(folder_ / "materials");
-    write_file(folder_ / "materials/grey.json",
-               R"({"model": "lambertian", "parameters": {"rd": 0.5}})");
-    ServerOptions options;
-    options.addresses = {address_};
-    options.materials = folder_ / "materials";
-    auto server = Server::start(options);
-    ASSERT_TRUE(server.ok()) << server.error().message;
-    server_ = std::move(server).value();
-  }
-
   gonio::testing::TempFolder folder_;
-  std::string address_ = "unix:" + (folder_ / "socket").string();
-  std::unique_ptr<Server> server_;
+  SocketServer server_{{{"grey", R"({"model": "lambertian", "parameters": {"rd": 0.5}})"}}};
+  std::string address_ = server_.address();
 };
 
 TEST_F(WithServer, GivesTheSameAsTheEmbeddedOne) {

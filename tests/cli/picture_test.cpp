@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "cli/run_process.h"
+#include "cli/socket_server.h"
 #include "client/image/exr.h"
 #include "client/image/read.h"
 #include "client/image/srgb.h"
 #include "client/image_files.h"
-#include "server/server.h"
 
 namespace gonio::test {
 namespace {
@@ -98,13 +98,10 @@ TEST_F(Picture, DependsOnTheSeedAndNotOnThreads) {
 }
 
 TEST_F(Picture, ServersPictureIsTheSame) {
-  ServerOptions options;
-  options.addresses = {"unix:" + path("socket")};
-  auto server = Server::start(options);
-  ASSERT_TRUE(server.ok()) << server.error().message;
+  const SocketServer server;
   for (const std::string& command : {kRender + kSmall, kLobe + "--theta 30 --size 200x200 "}) {
     EXPECT_EQ(shell(command + "-o " + path("a.png")).exit_code, 0);
-    const auto remote = shell(command + "-o " + path("b.png") + " --server unix:" + path("socket"));
+    const auto remote = shell(command + "-o " + path("b.png") + " --server " + server.address());
     EXPECT_EQ(remote.exit_code, 0) << remote.err;
     EXPECT_EQ(read_file(path("a.png")), read_file(path("b.png")));
   }

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "cli/run_process.h"
+#include "cli/socket_server.h"
 #include "measured/synthetic_merl.h"
-#include "server/server.h"
 
 namespace gonio::test {
 namespace {
@@ -25,24 +25,14 @@ class PutCommand : public ::testing::Test {
   }
   static void TearDownTestSuite() { files_.reset(); }
 
-  void SetUp() override {
-    ServerOptions options;
-    options.addresses = {"unix:" + (folder_ / "socket").string()};
-    std::filesystem::create_directory(folder_ / "materials");
-    options.materials = folder_ / "materials";
-    auto server = Server::start(options);
-    ASSERT_TRUE(server.ok()) << server.error().message;
-    server_ = std::move(*server);
-  }
-
   [[nodiscard]] Finished run(const std::string& line) const {
-    return shell("D='" + (*files_ / "").string() +
-                 "'; export GONIO_SERVER='unix:" + (folder_ / "socket").string() + "'; " + line);
+    return shell("D='" + (*files_ / "").string() + "'; export GONIO_SERVER='" + server_.address() +
+                 "'; " + line);
   }
 
   static inline std::unique_ptr<gonio::testing::TempFolder> files_;
   gonio::testing::TempFolder folder_;
-  std::unique_ptr<Server> server_;
+  SocketServer server_;
 };
 
 TEST_F(PutCommand, StoresAMaterialThatIsThenUsedByName) {
@@ -50,7 +40,7 @@ TEST_F(PutCommand, StoresAMaterialThatIsThenUsedByName) {
   ASSERT_EQ(put.exit_code, 0) << put.err;
   EXPECT_THAT(put.out, AllOf(HasSubstr("grey: stored in the server's materials folder"),
                              HasSubstr("1458000 cells"), HasSubstr("sha256 ")));
-  EXPECT_EQ(read_file(folder_ / "materials" / "grey.binary"), read_file(*files_ / "grey.binary"));
+  EXPECT_EQ(read_file(server_.folder() / "grey.binary"), read_file(*files_ / "grey.binary"));
   EXPECT_THAT(run("gonio put grey $D/grey.binary").out, HasSubstr("was there already"));
   EXPECT_THAT(run("gonio put -q grey $D/grey.binary").out, IsEmpty());
   const auto values = run("gonio evaluate -m grey --grid theta_i=10,theta_o=20 --deg");
@@ -78,7 +68,7 @@ TEST_F(PutCommand, NamesWhatIsWrong) {
   write_file(folder_ / "other.binary", std::string(34992012, 'x'));
   EXPECT_THAT(error_of("grey '" + (folder_ / "other.binary").string() + "'"),
               HasSubstr("the dimensions"));
-  write_file(folder_ / "materials" / "late.json", "{}");
+  write_file(server_.folder() / "late.json", "{}");
   EXPECT_THAT(error_of("late $D/grey.binary"), HasSubstr("materials folder has a file"));
   EXPECT_THAT(error_of("--server unix:/no/such grey $D/grey.binary", 3), HasSubstr("/no/such"));
   const auto alone = shell("gonio put grey x.binary");

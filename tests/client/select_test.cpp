@@ -45,7 +45,7 @@ client::Material isotropic() {
 }
 
 TEST_F(Select, SaysTheSameOnEveryTransport) {
-  std::string reason;
+  std::string json;
   std::vector<double> errors;
   for (const char* transport : {"tcp", "unix", "in-process"}) {
     std::size_t messages = 0;
@@ -75,10 +75,10 @@ TEST_F(Select, SaysTheSameOnEveryTransport) {
     for (const auto& one : result->entries) now.push_back(one.error.upper);
     if (!errors.empty()) {
       EXPECT_EQ(now, errors) << transport;
-      EXPECT_EQ(result->reason, reason) << transport;
+      EXPECT_EQ(result->json, json) << transport;
     }
     errors = now;
-    reason = result->reason;
+    json = result->json;
   }
 }
 

@@ -1,6 +1,7 @@
 // Every model's own parameters come back from data that it made.
 #include <gtest/gtest.h>
 
+#include "effort.h"
 #include "fit/cases.h"
 #include "fit/synthetic.h"
 
@@ -12,7 +13,7 @@ using Numbers = std::vector<double>;
 class Recovery : public ::testing::TestWithParam<Case> {};
 
 TEST_P(Recovery, OfNoiselessData) {
-  const fit::Data data = data_of(GetParam().truth, scattered_pairs(3000, 1));
+  const fit::Data data = data_of(GetParam().truth, scattered_pairs(kSlower > 1 ? 300 : 3000, 1));
   for (const fit::Objective objective : {fit::Objective::l1, fit::Objective::l2}) {
     fit::Options options;
     options.objective = objective;
@@ -38,7 +39,8 @@ TEST(RecoveryOfSpectra, SharesShapesAmong64Channels) {
   }
   truth.diffuse->parameters["rd"] = rd;
   truth.specular[0].parameters["scale"] = scale;
-  const auto result = fit::fit(data_of(truth, scattered_pairs(1500, 1)), form_of(truth), {});
+  const auto result =
+      fit::fit(data_of(truth, scattered_pairs(kSlower > 1 ? 200 : 1500, 1)), form_of(truth), {});
   ASSERT_TRUE(result.ok()) << result.error().message;
   EXPECT_LT(result->certificate.errors.all.l1, 5e-4);
   const auto& fitted = result->material.specular[0].parameters;

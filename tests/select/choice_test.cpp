@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "effort.h"
 #include "fit/metrics.h"
 #include "fit/synthetic.h"
 #include "select/trials.h"
@@ -115,7 +116,7 @@ TEST(Choice, OfBytesIsOneOfTheSmallest) {
 
 // Paths carry a lobe's variance: what is drawn badly costs more.
 TEST(Choice, WeighsVariance) {
-  select::Scene scene = scene_to(90, 0.05);
+  select::Scene scene = scene_to(90, kSlower > 1 ? 0.3 : 0.05);
   scene.lights = select::Lights::environment;
   scene.cost = select::CostKind::ns_variance;
   select::Options options = trial_options(1);

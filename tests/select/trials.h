@@ -1,6 +1,7 @@
 // Selections on references whose generating model is known, by seed.
 #pragma once
 
+#include <ostream>
 #include <random>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@ struct Truth {
   std::string name;
   MaterialSpec (*draw)(std::mt19937_64& random);
 };
+inline void PrintTo(const Truth& truth, std::ostream* out) { *out << truth.name; }
 const std::vector<Truth>& truths();
 
 // Both angles up to so many degrees, at a tolerance of the relative L1 error.

@@ -18,7 +18,8 @@ TEST_P(Trials, RecoverTheGeneratingModel) {
 // Under sanitizers, where each takes many seconds, every third.
 std::vector<Truth> tried() {
   std::vector<Truth> some;
-  for (std::size_t i = 0; i<truths().size(); i += kSlower> 1 ? 3 : 1) some.push_back(truths()[i]);
+  constexpr std::size_t kStep = kSlower > 1 ? 3 : 1;
+  for (std::size_t i = 0; i < truths().size(); i += kStep) some.push_back(truths()[i]);
   return some;
 }
 

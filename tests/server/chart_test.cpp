@@ -4,11 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <optional>
-#include <set>
 
 #include "effort.h"
 #include "server/chart_request.h"
-#include "server/harness.h"
+#include "server/progress_client.h"
 
 namespace gonio::testing {
 namespace {
@@ -25,37 +24,9 @@ v1::ChartRequest directions_chart() {
   return request;
 }
 
-struct Answer {
-  grpc::Status status;
-  std::optional<v1::ChartResult> result;
-  std::set<std::string> stages;
-};
-
-// Cancels after the first message where `cancel` says so.
-Answer ask(TestServer& server, const v1::ChartRequest& request, bool cancel = false) {
-  grpc::ClientContext context;
-  const auto reader = server.stub->Chart(&context, request);
-  Answer answer;
-  v1::ChartResponse response;
-  while (reader->Read(&response)) {
-    if (response.has_result()) answer.result = response.result();
-    if (response.has_progress()) answer.stages.insert(response.progress().stage());
-    if (cancel) context.TryCancel();
-  }
-  answer.status = reader->Finish();
-  return answer;
-}
-
-Error refused(TestServer& server, const v1::ChartRequest& request) {
-  const Answer answer = ask(server, request);
-  EXPECT_FALSE(answer.status.ok());
-  EXPECT_FALSE(answer.result);
-  return wire::from_status(answer.status);
-}
-
 TEST(ChartCall, IsTheCoresOwnChart) {
   TestServer server;
-  const Answer answer = ask(server, directions_chart());
+  const auto answer = ask(server, directions_chart());
   ASSERT_TRUE(answer.status.ok()) << answer.status.error_message();
   ASSERT_TRUE(answer.result);
   chart::Options options;
@@ -74,7 +45,7 @@ TEST(ChartCall, MeasuresTimesInTheWayThatIsAskedFor) {
   request.set_repetitions(2);
   request.set_seconds(1e-6);
   request.set_pairs_at_a_place(10);
-  const Answer answer = ask(server, request);
+  const auto answer = ask(server, request);
   ASSERT_TRUE(answer.result) << answer.status.error_message();
   ASSERT_EQ(answer.result->tables_size(), 3);
   const v1::ChartTable& table = answer.result->tables(0);
@@ -138,7 +109,7 @@ TEST(ChartCall, KeepsTheServersOwnDeadline) {
   options.longest_fit = 200ms;
   TestServer server(options);
   const auto begin = WorkClock::now();
-  const Answer answer = ask(server, long_chart());
+  const auto answer = ask(server, long_chart());
   EXPECT_EQ(answer.status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
   EXPECT_THAT(answer.status.error_message(), HasSubstr("the chart was not done"));
   EXPECT_LT(WorkClock::now() - begin, kSlower * 2s);

@@ -6,13 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <optional>
-#include <set>
 
 #include "effort.h"
 #include "fit/synthetic.h"
 #include "select/prices.h"
-#include "server/harness.h"
+#include "server/progress_client.h"
 #include "server/select_messages.h"
 
 namespace gonio::testing {
@@ -48,34 +46,6 @@ ServerOptions not_giving_way() {
   return options;
 }
 
-struct Answer {
-  grpc::Status status;
-  std::optional<v1::SelectResult> result;
-  std::set<std::string> stages;
-};
-
-// Cancels after the first message where `cancel` says so.
-Answer ask(TestServer& server, const v1::SelectRequest& request, bool cancel = false) {
-  grpc::ClientContext context;
-  const auto reader = server.stub->Select(&context, request);
-  Answer answer;
-  v1::SelectResponse response;
-  while (reader->Read(&response)) {
-    if (response.has_result()) answer.result = response.result();
-    if (response.has_progress()) answer.stages.insert(response.progress().stage());
-    if (cancel) context.TryCancel();
-  }
-  answer.status = reader->Finish();
-  return answer;
-}
-
-Error refused(TestServer& server, const v1::SelectRequest& request) {
-  const Answer answer = ask(server, request);
-  EXPECT_FALSE(answer.status.ok());
-  EXPECT_FALSE(answer.result);
-  return wire::from_status(answer.status);
-}
-
 select::Options core_options() {
   select::Options options;
   options.whole_front = false;
@@ -96,7 +66,7 @@ select::Scene core_scene() {
 
 TEST(SelectCall, IsTheCoresOwnSelection) {
   TestServer server(not_giving_way());
-  const Answer answer = ask(server, quick_selection());
+  const auto answer = ask(server, quick_selection());
   ASSERT_TRUE(answer.status.ok()) << answer.status.error_message();
   ASSERT_TRUE(answer.result);
   EXPECT_TRUE(answer.result->has_choice());
@@ -120,7 +90,7 @@ TEST(SelectCall, TakesMeasuredPairs) {
     pairs.add_values(data.values[i]);
   }
   pairs.set_channels(1);
-  const Answer answer = ask(server, request);
+  const auto answer = ask(server, request);
   ASSERT_TRUE(answer.status.ok()) << answer.status.error_message();
   ASSERT_TRUE(answer.result && answer.result->has_choice());
   EXPECT_EQ(answer.result->entries(static_cast<int>(answer.result->choice().entry())).name(),
@@ -188,7 +158,7 @@ TEST(SelectCall, KeepsTheServersOwnDeadline) {
   options.longest_fit = 200ms;
   TestServer server(options);
   const auto begin = WorkClock::now();
-  const Answer answer = ask(server, long_selection());
+  const auto answer = ask(server, long_selection());
   EXPECT_EQ(answer.status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED);
   EXPECT_THAT(answer.status.error_message(), HasSubstr("the selection was not done"));
   EXPECT_LT(WorkClock::now() - begin, kSlower * 2s);

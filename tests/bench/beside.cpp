@@ -1,5 +1,7 @@
-// What an evaluation stream feels of two fits beside it: the 99th percentile of the time that a
-// chunk takes, idle and with the fits. Wanted: a ratio below 3. beside_fits [SECONDS]
+// What an evaluation stream feels of long work beside it: the 99th percentile of the time that a
+// chunk takes, idle and beside two calls of a kind. Wanted of fits: a ratio below 3.
+//
+//   beside [fit|assess|select|chart [SECONDS]]
 //
 // Idle and busy phases take turns within one run, so that other work on the machine slows both. The
 // server is a goniod of its own, with its default options.
@@ -8,6 +10,8 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
+#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -56,19 +60,51 @@ bool stream(const client::Client& client, double seconds, std::vector<double>& t
   return client.evaluate_chunks<float, float>(material(), source, sink).ok();
 }
 
-// Fits one after the other until it is told to stop, the last one to its end; counts them. False if
-// one fails.
-bool fit_on(const client::Client& client, const std::atomic<bool>& stop, std::atomic<int>& fits) {
+// A kind of work; each call is one job, begun and ended. They give errors only.
+using Work = std::function<Result<Ok>(const client::Client&)>;
+
+template <class T>
+Result<Ok> ok_or_error(const Result<T>& result) {
+  if (!result) return result.error();
+  return Ok{};
+}
+
+Result<Ok> fit(const client::Client& client) {
   const test::RandomPairs<float> pairs(kFitPairs);
   std::vector<float> values(3 * kFitPairs);
-  if (!client.evaluate(material(), pairs.wi, pairs.wo, values)) return false;
+  const auto report = client.evaluate(material(), pairs.wi, pairs.wo, values);
+  if (!report) return report.error();
   const client::FitData data{pairs.wi, pairs.wo, values, 3, {}, {}};
   const auto form = client::Material::sum(client::Lobe{"lambertian", {}},
                                           {client::Lobe{"ggx", {{"fresnel", "dielectric"}}}});
+  return ok_or_error(client.fit(data, form));
+}
+
+Result<Ok> select(const client::Client& client) {
+  client::SelectScene scene;
+  scene.bins = {{.theta_i = {0, 1.3}, .theta_o = {0, 1.3}}};
+  scene.tolerance = 0.05;
+  return ok_or_error(client.select(material(), scene));
+}
+
+Result<Ok> chart(const client::Client& client) {
+  client::ChartOptions options;
+  options.parts = {"models"};
+  return ok_or_error(client.chart(options));
+}
+
+Result<Ok> assess(const client::Client& client) { return ok_or_error(client.assess(material())); }
+
+const std::map<std::string, Work, std::less<>> kinds = {
+    {"fit", fit}, {"assess", assess}, {"select", select}, {"chart", chart}};
+
+// One job after the other until it is told to stop, the last one to its end; counts them.
+bool work_on(const client::Client& client, const Work& work, const std::atomic<bool>& stop,
+             std::atomic<int>& ended) {
   do {
-    const auto fit = client.fit(data, form);
-    if (!fit) return std::fprintf(stderr, "%s\n", fit.error().message.c_str()), false;
-    ++fits;
+    if (const auto done = work(client); !done)
+      return std::fprintf(stderr, "%s\n", done.error().message.c_str()), false;
+    ++ended;
   } while (!stop);
   return true;
 }
@@ -84,13 +120,13 @@ void print(const char* name, std::vector<double>& times) {
               percentile(times, 0.99));
 }
 
-int run(double seconds) {
+int run(const std::string& kind, const Work& work, double seconds) {
   testing::Daemon daemon({"--listen", "127.0.0.1:0"});
   const std::string target = "127.0.0.1:" + std::to_string(daemon.port());
   const auto client = connect(target);
   std::vector<double> warm, idle, busy;
   if (!stream(client, 0.2, warm)) return 1;
-  std::atomic<int> fits{0};
+  std::atomic<int> ended{0};
   std::atomic<bool> good{true};
   for (int phase = 0; phase < kPhases && good; ++phase) {
     good = stream(client, seconds, idle);
@@ -98,23 +134,29 @@ int run(double seconds) {
     std::vector<std::thread> threads;
     for (int i = 0; i < 2; ++i)
       threads.emplace_back([&] {
-        if (!fit_on(connect(target), stop, fits)) good = false;
+        if (!work_on(connect(target), work, stop, ended)) good = false;
       });
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // until both fit
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // until both work
     if (!stream(client, seconds, busy)) good = false;
     stop = true;
     for (auto& thread : threads) thread.join();
   }
-  if (!good) return std::fputs("beside_fits: a stream or a fit failed\n", stderr), 1;
+  if (!good) return std::fprintf(stderr, "beside: a stream or a %s failed\n", kind.c_str()), 1;
   std::printf("%-18s %8s %10s %10s\n", "", "chunks", "p50 ms", "p99 ms");
   print("idle", idle);
-  print("beside two fits", busy);
-  std::printf("p99 ratio %.2f; %d fits ended\n", percentile(busy, 0.99) / percentile(idle, 0.99),
-              fits.load());
+  print(("beside two: " + kind).c_str(), busy);
+  std::printf("p99 ratio %.2f; %d jobs ended\n", percentile(busy, 0.99) / percentile(idle, 0.99),
+              ended.load());
   return 0;
 }
 
 }  // namespace
 }  // namespace gonio::bench
 
-int main(int argc, char** argv) { return gonio::bench::run(argc > 1 ? std::atof(argv[1]) : 2); }
+int main(int argc, char** argv) {
+  const auto kind = gonio::bench::kinds.find(argc > 1 ? argv[1] : "fit");
+  const double seconds = argc > 2 ? std::atof(argv[2]) : 2;
+  if (kind == gonio::bench::kinds.end() || !(seconds > 0))
+    return std::fputs("usage: beside [fit|assess|select|chart [SECONDS]]\n", stderr), 2;
+  return gonio::bench::run(kind->first, kind->second, seconds);
+}
