@@ -135,6 +135,16 @@ TEST_F(FitLimits, MemoryThatIsFullIsSaidToBe) {
   EXPECT_THAT(refused.error().message, HasSubstr(" of 16777216 bytes, and this one needs "));
 }
 
+TEST_F(FitLimits, ARequestThatIsTooLargeSaysWhatIsAllowed) {
+  start_with([](ServerOptions& server) { server.max_message_bytes = std::size_t{1} << 20; });
+  const Measured measured(40'000);
+  const auto refused = connect("tcp").fit(measured.data(), form());
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::resource_exhausted);
+  EXPECT_THAT(refused.error().message, HasSubstr("larger than max"));
+  EXPECT_THAT(refused.error().allowed, HasSubstr("fewer pairs"));
+}
+
 TEST_F(FitLimits, LeavesEvaluationAlone) {
   const Measured measured(20'000 / kSlower);
   std::atomic<int> done{0};
