@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "client/cli/numbers.h"
@@ -28,7 +29,8 @@ horizon or negative are left out and counted.
 
 A specular model is fitted as a lobe over a lambertian base, with the exact Fresnel term of a
 dielectric if it takes one; NAME:none, NAME:schlick, NAME:dielectric and NAME:conductor choose. With
-several models the one with the least objective goes to -o.
+--base none it is fitted alone: ashikhmin_shirley then has its own diffuse term, which a base takes
+the place of. With several models the one with the least objective goes to -o.
 
 Verdicts: converged; bound-limited, where a bound of a parameter holds the optimum; ambiguous, where the
 data cannot tell the parameters apart; failed. Errors, over all data: l1 is sum |f - m| cos / sum
@@ -55,6 +57,10 @@ void add_what(CLI::App& command, FitArguments& arguments) {
       .add_option("--lobes", arguments.lobes, "Specular lobes of the model: 1 (the default) or 2")
       ->type_name("N")
       ->check(CLI::Range(1, 2).description(""));
+  command
+      .add_option("--base", arguments.base,
+                  "Under the lobes: lambertian (the default), another diffuse model, or none")
+      ->type_name("NAME");
   command.add_flag("--anisotropic", arguments.anisotropic,
                    "Roughness or exponents along u and v each by themselves");
   command.add_flag("--deg", arguments.degrees, "Angles of a CSV are in degrees");
@@ -106,7 +112,26 @@ const client::ParameterInfo* fresnel_of(const client::ModelInfo& model) {
   return nullptr;
 }
 
-Result<FitForm> form_of(const client::ModelInfo& model, const std::string& wanted, int lobes) {
+// One lobe without a base is a model by itself.
+client::Material over(const std::string& base, const client::Lobe& lobe, int lobes) {
+  if (base == "none" && lobes == 1) return client::Material::model(lobe.model, lobe.parameters);
+  std::optional<client::Lobe> diffuse;
+  if (base != "none") diffuse = client::Lobe{base, {}};
+  return client::Material::sum(diffuse, std::vector(static_cast<std::size_t>(lobes), lobe));
+}
+
+Outcome check_base(const std::string& base, const client::Catalogue& catalogue) {
+  std::vector<std::string> allowed;
+  for (const auto& model : catalogue.models) {
+    if (model.role == client::Role::diffuse) allowed.push_back(model.name);
+  }
+  allowed.emplace_back("none");
+  if (std::find(allowed.begin(), allowed.end(), base) != allowed.end()) return Ok{};
+  return bad_value("--base", "\"" + base + "\"", joined(allowed, ", "));
+}
+
+Result<FitForm> form_of(const client::ModelInfo& model, const std::string& wanted,
+                        const FitArguments& arguments) {
   const client::ParameterInfo* fresnel = fresnel_of(model);
   client::Lobe lobe{model.name, {}};
   if (!wanted.empty() || fresnel != nullptr) {
@@ -123,8 +148,7 @@ Result<FitForm> form_of(const client::ModelInfo& model, const std::string& wante
   const std::string name = wanted.empty() ? model.name : model.name + ":" + wanted;
   if (model.role == client::Role::diffuse)
     return FitForm{name, client::Material::model(model.name)};
-  return FitForm{name, client::Material::sum(client::Lobe{"lambertian", {}},
-                                             std::vector(static_cast<std::size_t>(lobes), lobe))};
+  return FitForm{name, over(arguments.base, lobe, arguments.lobes)};
 }
 
 bool can_be_fitted(const client::ModelInfo& model) {
@@ -176,6 +200,7 @@ client::FitOptions fit_options(const FitArguments& arguments) {
 
 Result<std::vector<FitForm>> fit_forms(const FitArguments& arguments,
                                        const client::Catalogue& catalogue) {
+  if (auto good = check_base(arguments.base, catalogue); !good) return good.error();
   std::vector<FitForm> forms;
   std::vector<std::string> names;
   for (const auto& model : catalogue.models) {
@@ -194,7 +219,7 @@ Result<std::vector<FitForm>> fit_forms(const FitArguments& arguments,
                      [&](const auto& m) { return m.name == name && can_be_fitted(m); });
     if (model == catalogue.models.end())
       return bad_value("--model", "\"" + name + "\"", "all, " + joined(names, ", "));
-    auto form = form_of(*model, parts.fresnel, arguments.lobes);
+    auto form = form_of(*model, parts.fresnel, arguments);
     if (!form) return form.error();
     forms.push_back(std::move(*form));
   }

@@ -16,6 +16,7 @@ struct FitArguments {
   std::vector<std::string> models;
   std::string objective = "l1";
   std::string strategy = "auto";
+  std::string base = "lambertian";  // a diffuse model, or "none"
   int lobes = 1;
   double min_theta = 0, max_theta = 90;  // degrees
   unsigned starts = 6;
@@ -39,8 +40,8 @@ struct FitForm {
   client::Material material;
 };
 
-// One for each of `--model`; "all" is every analytic model. Errors: a model that does not exist, or
-// lacks the Fresnel term that is asked for.
+// One for each of `--model`; "all" is every analytic model. Errors: a model or base that does not
+// exist, or a model that lacks the Fresnel term that is asked for.
 Result<std::vector<FitForm>> fit_forms(const FitArguments& arguments,
                                        const client::Catalogue& catalogue);
 

@@ -13,7 +13,8 @@ using Direction = std::array<double, 3>;
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kRings = 180;  // from the normal to the horizon, half a degree each
-constexpr double kRing = kPi / 2 / kRings;
+constexpr int kFewestRings = 30;
+constexpr double kFineGroups = 200;         // as many grids of half a degree take a second or two
 constexpr double kReach = 0.2610523844401;  // the chord of 15 degrees
 constexpr std::size_t kLeastWo = 8;
 
@@ -121,19 +122,19 @@ std::vector<double> incident_measures(const std::vector<Group>& groups) {
   return solid_angles(all);
 }
 
-}  // namespace
-
-std::vector<double> solid_angles(std::span<const double> directions) {
+// solid_angles() on a grid of that many rings.
+std::vector<double> angles_on(int rings, std::span<const double> directions) {
   const Nearest nearest(directions);
+  const double width = kPi / 2 / rings;
   std::vector<double> angles(directions.size() / 3, 0);
   // Where measurements are closer than the grid, each still stands for something.
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    if (is_above(direction(directions, i))) angles[i] = kRing * kRing / 4;
+    if (is_above(direction(directions, i))) angles[i] = width * width / 4;
   }
-  for (int ring = 0; ring < kRings; ++ring) {
-    const double theta = (ring + 0.5) * kRing, z = std::cos(theta), s = std::sin(theta);
-    const int turns = std::max(6, static_cast<int>(4 * kRings * s));
-    const double cell = 2 * kPi / turns * (std::cos(ring * kRing) - std::cos((ring + 1) * kRing));
+  for (int ring = 0; ring < rings; ++ring) {
+    const double theta = (ring + 0.5) * width, z = std::cos(theta), s = std::sin(theta);
+    const int turns = std::max(6, static_cast<int>(4 * rings * s));
+    const double cell = 2 * kPi / turns * (std::cos(ring * width) - std::cos((ring + 1) * width));
     for (int turn = 0; turn < turns; ++turn) {
       const double phi = 2 * kPi * (turn + 0.5) / turns;
       const auto index = nearest.to({s * std::cos(phi), s * std::sin(phi), z});
@@ -143,17 +144,30 @@ std::vector<double> solid_angles(std::span<const double> directions) {
   return angles;
 }
 
+// A grid's directions grow with the square of its rings.
+int rings_for(std::size_t groups) {
+  const double part = std::sqrt(kFineGroups / static_cast<double>(groups));
+  return std::clamp(static_cast<int>(kRings * part), kFewestRings, kRings);
+}
+
+}  // namespace
+
+std::vector<double> solid_angles(std::span<const double> directions) {
+  return angles_on(kRings, directions);
+}
+
 std::vector<double> pair_measures(std::span<const double> wi, std::span<const double> wo) {
   const std::vector<Group> groups = groups_of(wi);
   const std::size_t pairs = wi.size() / 3;
   if (groups.empty() || groups.size() * kLeastWo > pairs || wo.size() != wi.size()) return {};
   const std::vector<double> incident = incident_measures(groups);
+  const int rings = rings_for(groups.size());
   std::vector<double> measures(pairs, 0);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     std::vector<double> outgoing;
     for (const std::size_t i : groups[g].members)
       outgoing.insert(outgoing.end(), {wo[3 * i], wo[3 * i + 1], wo[3 * i + 2]});
-    const std::vector<double> angles = solid_angles(outgoing);
+    const std::vector<double> angles = angles_on(rings, outgoing);
     for (std::size_t k = 0; k < angles.size(); ++k)
       measures[groups[g].members[k]] = incident[g] * angles[k];
   }

@@ -75,6 +75,33 @@ TEST_F(FitCommand, FindsTheMaterialThatMadeTheData) {
               AllOf(HasSubstr("truth.json"), HasSubstr("fit.json"), HasSubstr("mirror")));
 }
 
+TEST_F(FitCommand, WithoutABaseAModelIsFittedAlone) {
+  write_file(folder_ / "as.json", R"({"model": "ashikhmin_shirley", "parameters":
+      {"rd": [0.3, 0.2, 0.1], "rs": [0.2, 0.1, 0.1], "nu": 40, "nv": 40}})");
+  const auto result = run(
+      "gonio evaluate --material $D/as.json --deg --with-input --grid "
+      "theta_i=5:75:8,theta_o=0:80:17,phi_o=0:350:36 -o $D/as.csv && gonio fit --data $D/as.csv "
+      "--deg --model ashikhmin_shirley --base none -o $D/alone.json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto material = json(content("alone.json"));
+  EXPECT_EQ(at(material, "model").string_value(), "ashikhmin_shirley");
+  const auto& parameters = at(material, "parameters").struct_value();
+  EXPECT_NEAR(at(parameters, "nu").number_value(), 40, 0.1);
+  EXPECT_NEAR(at(parameters, "rd").list_value().values(1).number_value(), 0.2, 1e-3);
+
+  const auto two =
+      run("gonio fit --data $D/as.csv --deg --model ggx:none --lobes 2 --base none "
+          "--starts 1 -o $D/two.json");
+  ASSERT_EQ(two.exit_code, 0) << two.err;
+  EXPECT_EQ(json(content("two.json")).fields().count("diffuse"), 0);
+  EXPECT_EQ(at(json(content("two.json")), "specular").list_value().values_size(), 2);
+
+  const auto wrong = run("gonio fit --data $D/as.csv --deg --model ggx --base ward");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.err, AllOf(HasSubstr("--base"), HasSubstr("\"ward\""),
+                               HasSubstr("lambertian, oren_nayar, none")));
+}
+
 TEST_F(FitCommand, OfAllModelsTheBestIsWritten) {
   const auto result = run(
       "gonio fit --data $D/data.csv --deg --model lambertian,ggx:schlick,ward -o - 2> $D/table");

@@ -4,11 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <span>
+
+#include "effort.h"
 
 namespace gonio::testing {
 namespace {
@@ -93,6 +97,31 @@ TEST(PairMeasures, OfAWholeGoniometerAreAllPairs) {
   EXPECT_NEAR(
       measures[per_wi + 100] / measures[100],
       (std::cos(20 * kPi / 180) - std::cos(40 * kPi / 180)) / (1 - std::cos(20 * kPi / 180)), 1e-9);
+}
+
+// A grid of half a degree for each wi would take minutes.
+TEST(PairMeasures, OfManyIncidencesAreFoundOnACoarserGrid) {
+  constexpr std::size_t kIncidences = 10'000 / kSlower;
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform;
+  std::vector<double> wi, wo;
+  for (std::size_t i = 0; i < kIncidences; ++i) {
+    const double theta = std::acos(uniform(random)), phi = 2 * kPi * uniform(random);
+    for (int turn = 0; turn < 8; ++turn) {
+      push(wi, theta, phi);
+      push(wo, 0.8, 2 * kPi * turn / 8);
+    }
+  }
+  const auto begin = WorkClock::now();
+  const auto measures = pair_measures(wi, wo);
+  EXPECT_LT(WorkClock::now() - begin, std::chrono::seconds(20));
+  ASSERT_EQ(measures.size(), wi.size() / 3);
+  const auto angles = solid_angles(std::span(wo).first(24));
+  const double expected = 2 * kPi * std::accumulate(angles.begin(), angles.end(), 0.0);
+  // A little more: so many wi are closer than the grid, and each stands for something.
+  EXPECT_NEAR(std::accumulate(measures.begin(), measures.end(), 0.0), expected, 0.08 * expected);
+  for (std::size_t turn = 1; turn < 8; ++turn)
+    EXPECT_NEAR(measures[turn] / measures[0], 1, 0.1) << turn;
 }
 
 TEST(PairMeasures, OfOtherDataAreNotKnown) {
