@@ -5,6 +5,7 @@
 #include <google/protobuf/util/message_differencer.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <thread>
 
 #include "effort.h"
@@ -122,13 +123,15 @@ TEST(AssessCall, WaitsInAQueueThatIsBounded) {
   TestServer server(options);
   grpc::ClientContext context;
   grpc::Status of_the_long;
+  std::atomic<bool> is_over = false;
   std::thread first([&] {
     v1::AssessResponse response;
     of_the_long = server.stub->Assess(&context, ggx_assessment(1'000'000), &response);
+    is_over = true;
   });
   // Short ones beside it: they are refused, or it is where it comes while one of them runs.
   Error error;
-  for (int i = 0; i < 200 && error.code != ErrorCode::resource_exhausted; ++i) {
+  for (int i = 0; i < 200 && !is_over && error.code != ErrorCode::resource_exhausted; ++i) {
     v1::AssessResponse response;
     const grpc::Status status = assess(server, ggx_assessment(1), &response);
     if (!status.ok()) error = wire::from_status(status);
