@@ -40,6 +40,13 @@ Error named(const grpc::Status& status, const std::string& peer) {
     default:
       error.message = peer + " answered: " + status.error_message();
   }
+  // Of no use to send again. gRPC has no other mark of it than these words.
+  const bool large = status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED &&
+                     status.error_message().find("larger than max") != std::string::npos;
+  if (large) {
+    error.allowed = "fewer pairs or bins in one call, or a server with a larger --max-message-mb";
+    error.message += "; allowed: " + error.allowed;
+  }
   return error;
 }
 

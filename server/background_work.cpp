@@ -19,18 +19,22 @@ BackgroundWork::BackgroundWork(const Backend& backend, grpc::CallbackServerConte
 
 Outcome BackgroundWork::submit(std::size_t bytes, std::function<void()> run) {
   charge_ = backend_.memory.take(bytes);
-  const char* full =
-      charge_ ? "queue of fits, assessments, selections and charts is full" : "memory is full";
+  const std::string full =
+      charge_
+          ? "queue of fits, assessments, selections and charts is full: it takes " +
+                std::to_string(backend_.fits.queue.max_jobs()) + " at a time"
+          : "memory is full: requests and answers hold " + std::to_string(backend_.memory.held()) +
+                " of " + std::to_string(backend_.memory.limit()) + " bytes, and this one needs " +
+                std::to_string(bytes);
   if (charge_ && backend_.fits.queue.submit({std::move(run), [this] { return is_over(); }}))
     return Ok{};
   context_.AddTrailingMetadata(wire::kRetryPushback, kFitPushbackMilliseconds);
-  return Error{ErrorCode::resource_exhausted,
-               std::string("the server's ") + full + ": it takes " +
-                   std::to_string(backend_.fits.queue.max_jobs()) +
-                   " at a time; send this one again after " + kFitPushbackMilliseconds + " ms",
-               {},
-               {},
-               {}};
+  return Error{
+      ErrorCode::resource_exhausted,
+      "the server's " + full + "; send this one again after " + kFitPushbackMilliseconds + " ms",
+      {},
+      {},
+      {}};
 }
 
 bool BackgroundWork::should_stop() const {

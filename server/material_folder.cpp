@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -30,6 +31,8 @@ Error taken(const std::string& name) {
                    "a name that no stored material has", ErrorCode::already_exists);
 }
 
+constexpr const char* kTemporary = ".put-";  // not loaded: neither .json nor .binary
+
 // 0, or errno.
 int write_all(int descriptor, std::string_view content) {
   while (!content.empty()) {
@@ -53,8 +56,21 @@ void sync_folder(const fs::path& folder) {
 
 bool can_be_written(const fs::path& folder) { return ::access(folder.c_str(), W_OK | X_OK) == 0; }
 
+void remove_leftovers(const fs::path& folder) {
+  constexpr auto kOld = std::chrono::hours(24);  // longer than any upload
+  const auto now = fs::file_time_type::clock::now();
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
+    std::error_code failed;
+    const bool left = entry->path().filename().string().rfind(kTemporary, 0) == 0 &&
+                      entry->is_regular_file(failed) && now - entry->last_write_time(failed) > kOld;
+    if (left && !failed) fs::remove(entry->path(), failed);
+  }
+}
+
 Result<NewFile> NewFile::create(const fs::path& folder, std::string_view content) {
-  std::string name = folder / ".put-XXXXXX";  // not loaded: neither .json nor .binary
+  std::string name = folder / (std::string(kTemporary) + "XXXXXX");
   const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
   if (descriptor < 0) return cannot_store("no file can be created", errno);
   NewFile file(folder, name);

@@ -13,6 +13,9 @@ namespace gonio {
 // Whether files can be created in the folder.
 bool can_be_written(const std::filesystem::path& folder);
 
+// Removes what servers that were killed while they wrote have left behind, once it is a day old.
+void remove_leftovers(const std::filesystem::path& folder);
+
 class NewFile {
  public:
   // Writes `content` under a name that no material has. Errors: what the system says (internal;

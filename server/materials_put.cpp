@@ -35,7 +35,10 @@ Error of_chunks(Error error) {
 
 }  // namespace
 
-void Materials::allow_puts(std::size_t quota_bytes) { put_quota_ = quota_bytes; }
+void Materials::allow_puts(std::size_t quota_bytes) {
+  put_quota_ = quota_bytes;
+  if (quota_bytes > 0 && !folder_.empty()) remove_leftovers(folder_);
+}
 
 Outcome Materials::check_put(const std::string& name, const wire::Sha256Sum& sum) const {
   if (!is_name(name)) {

@@ -82,6 +82,9 @@ Outcome write_all(OutputFile& output, const std::string& text) {
 }
 
 int run(AssessArguments& arguments) {
+  const auto apart =
+      check_outputs({{"--report", arguments.report}}, {{"--material", arguments.material}});
+  if (!apart) return fail(apart.error());
   auto material = read_material(arguments.material, arguments.connection.server.empty());
   if (!material) return fail(material.error());
   auto connection = Connection::open(arguments.connection);
@@ -95,11 +98,10 @@ int run(AssessArguments& arguments) {
     if (auto written = write_all(**report, assessment->json + "\n"); !written)
       return fail(written.error());
   }
-  // The table must not stand among what is read from standard output.
-  if (!arguments.quiet) {
-    std::fputs(assess_table(*assessment, arguments.verbose).c_str(),
-               arguments.report == "-" ? stderr : stdout);
-  }
+  const auto shown = arguments.quiet ? Outcome(Ok{})
+                                     : print_table(assess_table(*assessment, arguments.verbose),
+                                                   arguments.report == "-");
+  if (!shown) return fail(shown.error());
   return assessment->passed ? exit_ok : exit_bad_verdict;
 }
 

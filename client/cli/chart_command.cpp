@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 
 #include "client/cli/chart/arguments.h"
@@ -7,6 +6,7 @@
 #include "client/cli/chart/measure.h"
 #include "client/cli/commands.h"
 #include "client/cli/exit_codes.h"
+#include "client/cli/output_file.h"
 
 namespace gonio::cli {
 namespace {
@@ -36,8 +36,9 @@ int run(const ChartArguments& arguments) {
   if (!chart) return fail(chart.error());
   if (auto written = write_tables(arguments.folder, *chart); !written) return fail(written.error());
   if (auto drawn = write_figures(arguments.folder, *chart); !drawn) return fail(drawn.error());
-  if (!arguments.quiet) std::fputs(summary_of(arguments.folder, *chart).c_str(), stdout);
-  return exit_ok;
+  if (arguments.quiet) return exit_ok;
+  const auto shown = print(summary_of(arguments.folder, *chart));
+  return shown ? exit_ok : fail(shown.error());
 }
 
 }  // namespace

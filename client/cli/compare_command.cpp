@@ -86,7 +86,9 @@ Outcome check_picture(const std::string& option, const std::string& file, std::s
 Outcome check(const CompareArguments& arguments) {
   const std::size_t materials = arguments.materials.size();
   auto good = check_picture("--slices", arguments.slices, materials, lobe::kMostLines);
-  return good ? check_picture("--render", arguments.render, materials, kMostSpheres) : good;
+  if (good) good = check_picture("--render", arguments.render, materials, kMostSpheres);
+  if (!good) return good;
+  return check_outputs({{"--slices", arguments.slices}, {"--render", arguments.render}}, {});
 }
 
 Outcome write(const std::string& file, const Result<std::string>& png) {
@@ -120,8 +122,8 @@ int run(const CompareArguments& arguments) {
   }
   if (drawn && !arguments.render.empty()) drawn = draw_spheres(arguments, *comparison);
   if (!drawn) return fail(drawn.error());
-  std::fputs(table_of(*comparison).c_str(), stdout);
-  return exit_ok;
+  const auto shown = print(table_of(*comparison));
+  return shown ? exit_ok : fail(shown.error());
 }
 
 }  // namespace

@@ -35,7 +35,8 @@ Outcome check_channels(const std::string& name, const Material& material, const 
   if (material.channels() == 1 || material.channels() == data.channels) return Ok{};
   return bad_value("--material " + name,
                    "a material of " + std::to_string(material.channels()) + " channels",
-                   "1 or " + std::to_string(data.channels) + ", those of the reference");
+                   (data.channels == 1 ? "1" : "1 or " + std::to_string(data.channels)) +
+                       ", those of the reference");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "client/cli/connection.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <utility>
 
 namespace gonio::cli {
@@ -30,6 +31,8 @@ void add_connection_options(CLI::App& command, ConnectionOptions& options) {
 }
 
 Result<Connection> Connection::open(const ConnectionOptions& options) {
+  if (std::isnan(options.deadline))  // which a range lets pass
+    return bad_value("--deadline", "nan", "0 to 1e9 seconds");
   client::ClientOptions client_options;
   client_options.deadline = std::chrono::milliseconds(static_cast<long>(options.deadline * 1e3));
   // A deadline below a millisecond is still one.

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "client/cli/numbers.h"
 #include "client/cli/text.h"
 
 namespace gonio::cli {
@@ -73,12 +74,10 @@ void add_how(CLI::App& command, FitArguments& arguments) {
   command
       .add_option("--max-theta", arguments.max_theta,
                   "Fit pairs whose angles are both up to this, degrees; errors are of all data")
-      ->type_name("DEG")
-      ->check(CLI::Range(0.0, 90.0).description(""));
+      ->type_name("DEG");
   command
       .add_option("--min-theta", arguments.min_theta, "Fit pairs one of whose angles is above this")
-      ->type_name("DEG")
-      ->check(CLI::Range(0.0, 90.0).description(""));
+      ->type_name("DEG");
   command
       .add_option("--starts", arguments.starts, "Places to descend from, 1 to 100; 6 if not given")
       ->type_name("N")
@@ -150,6 +149,15 @@ void add_fit_options(CLI::App& command, FitArguments& arguments) {
       ->allow_extra_args(false);
   add_connection_options(command, arguments.connection);
   command.add_flag("--quiet,-q", arguments.quiet, "No progress bar and no table");
+}
+
+Outcome check_angles(const FitArguments& arguments) {
+  if (!(arguments.max_theta > 0 && arguments.max_theta <= 90))
+    return bad_value("--max-theta", shortest(arguments.max_theta), "above 0, up to 90 degrees");
+  if (!(arguments.min_theta >= 0 && arguments.min_theta < arguments.max_theta))
+    return bad_value("--min-theta", shortest(arguments.min_theta),
+                     "0 to below --max-theta, " + shortest(arguments.max_theta) + " degrees");
+  return Ok{};
 }
 
 client::FitOptions fit_options(const FitArguments& arguments) {

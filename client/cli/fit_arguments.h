@@ -29,6 +29,8 @@ struct FitArguments {
 };
 
 void add_fit_options(CLI::App& command, FitArguments& arguments);
+// Errors: the pairs' angles leave nothing, or are none.
+Outcome check_angles(const FitArguments& arguments);
 client::FitOptions fit_options(const FitArguments& arguments);
 
 // What is fitted, and what it is called in the results: "ggx:schlick".

@@ -85,6 +85,9 @@ struct Outputs {
 };
 
 Result<Outputs> open_outputs(const FitArguments& arguments) {
+  std::vector<NamedFile> files{{"--output", arguments.output}};
+  for (const std::string& report : arguments.reports) files.push_back({"--report", report});
+  if (auto apart = check_outputs(files, {{"--data", arguments.data}}); !apart) return apart.error();
   Outputs outputs;
   if (!arguments.output.empty()) {
     auto file = OutputFile::open(arguments.output);
@@ -117,7 +120,15 @@ Outcome write_all(Outputs& outputs, const std::vector<NamedFit>& fits, const Nam
   return write(*outputs.material, best->result.material.to_json() + "\n");
 }
 
+// Also where --quiet leaves no table that says it.
+Error none_fits(const std::vector<NamedFit>& fits) {
+  std::string text = "every fit failed";
+  for (const NamedFit& fit : fits) text += "; " + fit.name + ": " + fit.result.certificate.reason;
+  return {ErrorCode::internal, text, {}, {}, {}};
+}
+
 int run(const FitArguments& arguments) {
+  if (auto angles = check_angles(arguments); !angles) return fail(angles.error());
   auto input = read_data(arguments.data, arguments.connection.server.empty(), arguments.degrees);
   if (!input) return fail(input.error());
   auto connection = Connection::open(arguments.connection);
@@ -134,11 +145,11 @@ int run(const FitArguments& arguments) {
   const NamedFit* best = best_of(*fits);
   if (auto written = write_all(*outputs, *fits, best, arguments); !written)
     return fail(written.error());
-  // The table must not stand among what is read from standard output.
   const bool taken = arguments.output == "-" ||
                      std::count(arguments.reports.begin(), arguments.reports.end(), "-") > 0;
-  if (!arguments.quiet) std::fputs(fit_table(*fits).c_str(), taken ? stderr : stdout);
-  return best != nullptr ? exit_ok : exit_failed;
+  const auto shown = arguments.quiet ? Outcome(Ok{}) : print_table(fit_table(*fits), taken);
+  if (!shown) return fail(shown.error());
+  return best != nullptr ? exit_ok : fail(none_fits(*fits));
 }
 
 }  // namespace

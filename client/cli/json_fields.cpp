@@ -3,17 +3,22 @@
 #include <google/protobuf/util/json_util.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
 namespace gonio::cli {
 
 Result<JsonObject> read_object(const std::string& file, const char* what) {
+  std::error_code ignored;
   std::ifstream in(file, std::ios::binary);
-  if (!in) return bad_value(what, file, "a JSON file that can be read", ErrorCode::not_found);
+  if (!in || std::filesystem::is_directory(file, ignored))
+    return bad_value(what, file, "a JSON file that can be read", ErrorCode::not_found);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     return bad_value(what, file + ", which is empty", "a JSON object");
+  if (text[text.find_first_not_of(" \t\r\n")] != '{')
+    return bad_value(what, file + ", which does not begin with {", "a JSON object");
   JsonObject object;
   const auto status = google::protobuf::util::JsonStringToMessage(text, &object);
   if (status.ok()) return object;

@@ -53,6 +53,17 @@ Error header_error(const ByteSource& source, const std::string& what, std::strin
           text, kHeaders};
 }
 
+// A value's column that is not among those that are read: f_2 without f_1, f_1 twice, f_64.
+std::string stray_value(const Columns& columns) {
+  constexpr std::string_view kValue = "f_";
+  for (const std::string& name : columns.names) {
+    if (name.rfind(kValue, 0) != 0) continue;
+    const auto number = parse_number<double>(std::string_view(name).substr(kValue.size()));
+    if (number && *number >= static_cast<double>(columns.values.size())) return name;
+  }
+  return {};
+}
+
 Result<Columns> read_header(ByteSource& source) {
   auto line = source.line();
   if (!line) return line.error();
@@ -71,7 +82,11 @@ Result<Columns> read_header(ByteSource& source) {
     if (column == kNone) break;
     columns.values.push_back(column);
   }
-  if (columns.values.empty()) return header_error(source, "the header lacks a value f_0", text);
+  if (columns.values.empty())
+    return header_error(source, "the header lacks a value f_0 or has it twice", text);
+  if (const std::string stray = stray_value(columns); !stray.empty())
+    return header_error(
+        source, "the header has " + stray + " twice, beyond f_63 or after one that it lacks", text);
   columns.weight = column_of(columns.names, "weight");
   columns.flags = column_of(columns.names, "flags");
   return columns;

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -17,16 +18,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The temporary file of this process, for the signal handler: a path, or an empty text.
-std::array<char, 4096> temporary_of_process{};
+// The temporary files of this process, for the signal handler: paths, or empty texts. A command
+// that writes more files at a time than this has no more to lose than names that begin with a dot.
+using Path = std::array<char, 4096>;
+std::array<Path, 16> temporaries_of_process{};
+
+Path* slot_of(std::string_view path) {
+  const auto found = std::find_if(temporaries_of_process.begin(), temporaries_of_process.end(),
+                                  [&](const Path& slot) { return slot.data() == path; });
+  return found == temporaries_of_process.end() ? nullptr : &*found;
+}
 
 void remember(const std::string& path) {
-  if (path.size() >= temporary_of_process.size()) return;
-  std::memcpy(temporary_of_process.data(), path.c_str(), path.size() + 1);
+  Path* slot = slot_of({});
+  if (slot == nullptr || path.size() >= slot->size()) return;
+  std::memcpy(slot->data(), path.c_str(), path.size() + 1);
+}
+
+void forget(const std::string& path) {
+  if (Path* slot = slot_of(path)) (*slot)[0] = '\0';
 }
 
 extern "C" void remove_and_die(int signal) {
-  if (temporary_of_process[0] != '\0') ::unlink(temporary_of_process.data());
+  for (const Path& path : temporaries_of_process) {
+    if (path[0] != '\0') ::unlink(path.data());
+  }
   ::signal(signal, SIG_DFL);
   ::raise(signal);
 }
@@ -47,6 +63,33 @@ void handle_signals() {
   }
 }
 
+Outcome check_outputs(const std::vector<NamedFile>& outputs, const std::vector<NamedFile>& inputs) {
+  const auto same = [](const std::string& a, const std::string& b) {
+    if (a == "-" || b == "-") return a == b;
+    std::error_code error;
+    const auto place = [&](const std::string& file) {
+      return fs::weakly_canonical(fs::absolute(file, error), error);
+    };
+    const fs::path first = place(a), second = place(b);
+    return first == second && (fs::is_regular_file(first, error) || !fs::exists(first, error));
+  };
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+    if (output->file.empty()) continue;
+    for (auto other = outputs.begin(); other != output; ++other) {
+      if (same(output->file, other->file))
+        return bad_value(output->option, "\"" + output->file + "\", as " + other->option + " is",
+                         "another place");
+    }
+    for (const NamedFile& input : inputs) {
+      std::error_code error;
+      if (output->file != "-" && fs::exists(input.file, error) && same(output->file, input.file))
+        return bad_value(output->option, "\"" + output->file + "\", as " + input.option + " is",
+                         "a file that is not read");
+    }
+  }
+  return Ok{};
+}
+
 Result<OutputFile> OutputFile::open(const std::string& file, bool rewind) {
   std::error_code error;
   const bool in_place =
@@ -59,6 +102,19 @@ Result<OutputFile> OutputFile::open(const std::string& file, bool rewind) {
   if (rewind) output.spool_.reset(std::tmpfile());
   if (rewind && !output.spool_) return output.cannot_write(errno);
   return output;
+}
+
+Outcome print(const std::string& text) {
+  auto output = OutputFile::open("-");
+  if (!output) return output.error();
+  const auto written = output->write(text);
+  return output->reader_gone() ? Outcome(Ok{}) : written;
+}
+
+Outcome print_table(const std::string& text, bool stdout_is_taken) {
+  if (!stdout_is_taken) return print(text);
+  std::fputs(text.c_str(), stderr);
+  return Ok{};
 }
 
 Result<OutputFile> OutputFile::create_temporary(const std::string& file) {
@@ -96,7 +152,7 @@ void OutputFile::discard() {
   descriptor_ = -1;
   if (temporary_.empty()) return;
   ::unlink(temporary_.c_str());
-  temporary_of_process[0] = '\0';
+  forget(temporary_);
   temporary_.clear();
 }
 
@@ -149,8 +205,8 @@ Outcome OutputFile::commit() {
   // A full disk may show no earlier than here.
   const int closed = ::close(std::exchange(descriptor_, -1));
   if (closed != 0 || ::rename(temporary_.c_str(), target_.c_str()) != 0) return cannot_write(errno);
+  forget(temporary_);
   temporary_.clear();
-  temporary_of_process[0] = '\0';
   return Ok{};
 }
 

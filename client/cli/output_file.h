@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 
@@ -52,7 +53,20 @@ class OutputFile {
   bool reader_gone_ = false;
 };
 
-// Makes SIGINT and SIGTERM remove the temporary file on their way, and a broken pipe an error
+// To standard output. A reader that went away is no error.
+Outcome print(const std::string& text);
+// A table for people must not stand among results that are read from standard output.
+Outcome print_table(const std::string& text, bool stdout_is_taken);
+
+// A file by the option that names it; no text where it is not given.
+struct NamedFile {
+  std::string option, file;
+};
+
+// Errors: two outputs go to one place, or an output to a file that is an input.
+Outcome check_outputs(const std::vector<NamedFile>& outputs, const std::vector<NamedFile>& inputs);
+
+// Makes SIGINT and SIGTERM remove the temporary files on their way, and a broken pipe an error
 // instead of a signal.
 void handle_signals();
 

@@ -11,6 +11,7 @@
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
 #include "client/cli/exit_codes.h"
+#include "client/cli/output_file.h"
 #include "client/cli/progress.h"
 #include "measured/table.h"
 
@@ -60,14 +61,13 @@ Result<std::string> read_content(const std::string& file) {
   return content;
 }
 
-void describe(const PutArguments& arguments, const client::PutReport& report) {
+std::string summary_of(const PutArguments& arguments, const client::PutReport& report) {
   const char* place = report.place == client::PutPlace::folder
                           ? "in the server's materials folder"
                           : "in the server's memory, until it ends";
-  std::printf("%s: %s %s\n%llu cells, %llu of them not measured\nsha256 %s\n",
-              arguments.name.c_str(), report.existed ? "was there already," : "stored", place,
-              static_cast<unsigned long long>(report.cells),
-              static_cast<unsigned long long>(report.invalid_cells), report.sha256.c_str());
+  return arguments.name + ": " + (report.existed ? "was there already, " : "stored ") + place +
+         "\n" + std::to_string(report.cells) + " cells, " + std::to_string(report.invalid_cells) +
+         " of them not measured\nsha256 " + report.sha256 + "\n";
 }
 
 int run(const PutArguments& arguments) {
@@ -88,8 +88,9 @@ int run(const PutArguments& arguments) {
   const auto report = connection->client.put_material(arguments.name, *content, watch);
   progress.reset();
   if (!report) return fail(report.error());
-  if (!arguments.quiet) describe(arguments, *report);
-  return exit_ok;
+  if (arguments.quiet) return exit_ok;
+  const auto shown = print(summary_of(arguments, *report));
+  return shown ? exit_ok : fail(shown.error());
 }
 
 }  // namespace

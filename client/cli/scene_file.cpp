@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "client/cli/json.h"
 #include "client/cli/json_fields.h"
 #include "client/cli/scene_needs.h"
 
@@ -34,11 +35,12 @@ JsonObject merged(const JsonObject& of_all, const JsonObject& own) {
 
 // A name is that of a file in the folder of choices.
 Outcome check_name(const std::string& name) {
-  const bool one = !name.empty() && name != "." && name != ".." &&
+  constexpr std::size_t kLongest = 200;  // of 255, for ".json" and what it is called until complete
+  const bool one = !name.empty() && name != "." && name != ".." && name.size() <= kLongest &&
                    name.find('/') == std::string::npos && name.find('\0') == std::string::npos;
   if (one) return Ok{};
-  return bad_value("scene.materials", "\"" + name + "\" as a name",
-                   "names of files: no / in them, not . or ..");
+  return bad_value("scene.materials", json_string(name) + " as a name",
+                   "names of files: 1 to 200 bytes, no / in them, not . or ..");
 }
 
 // A file's place is relative to the scene's; JSON stays JSON, and a name a name.

@@ -124,6 +124,8 @@ Result<client::SelectScene> scene_needs(const JsonObject& object) {
   auto found = bins(object, scene.lights);
   if (!found) return found.error();
   scene.bins = std::move(*found);
+  if (!scene.bins.empty() && find(object, "tolerance") == nullptr)
+    return bad_value(kPrefix + "tolerance", "not given", "a number above 0, of the metric");
   return scene;
 }
 

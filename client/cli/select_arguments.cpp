@@ -61,7 +61,7 @@ void add_select_options(CLI::App& command, SelectArguments& arguments) {
                   "Of the choice of pairs, 1 or more; 1 if not given")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U).description(""));
-  command.add_flag("!--no-front", arguments.options.whole_front,
+  command.add_flag("--no-front", arguments.no_front,
                    "Stop at the choice: do not look at what costs more");
   command.add_flag("--deg", arguments.degrees, "Angles of a CSV are in degrees");
   command.add_flag("--all", arguments.all, "Show what is not on the front, too, and why");

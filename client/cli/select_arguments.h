@@ -11,7 +11,7 @@ namespace gonio::cli {
 struct SelectArguments {
   ConnectionOptions connection;
   std::string reference, scene, costs, output, report;
-  bool degrees = false, all = false, quiet = false;
+  bool degrees = false, all = false, no_front = false, quiet = false;
   client::SelectOptions options;
 };
 

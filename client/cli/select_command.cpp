@@ -77,33 +77,85 @@ Result<std::vector<NamedSelection>> select_all(const client::Client& client,
   return found;
 }
 
-Outcome write(const std::string& file, const std::string& text) {
-  if (file.empty()) return Ok{};
-  auto output = OutputFile::open(file);
-  if (!output) return output.error();
-  if (auto written = output->write(text); !written) return written;
-  return output->commit();
+// A file that is not there shows before the work on the materials before it.
+Outcome check_reference(const SceneMaterial& material) {
+  const std::filesystem::path path = material.reference;
+  std::error_code ignored;
+  const bool file = material.reference.find('{') == std::string::npos &&
+                    (path.has_extension() || path.has_parent_path());
+  if (!file || std::filesystem::exists(path, ignored)) return Ok{};
+  return of_material(material.name, {ErrorCode::not_found, "no such file: " + path.string(),
+                                     "reference", path.string(), "a file that can be read"});
 }
 
-// A scene's materials go to files of their names in a folder. A choice that is the reference itself
-// is not written: it is where it was.
-Outcome write_materials(const std::string& output, const std::vector<NamedSelection>& found) {
-  if (output.empty()) return Ok{};
-  for (const auto& [name, selection] : found) {
-    if (!selection.choice || !selection.choice->material) continue;
-    std::string file = output;
-    if (!name.empty()) {
-      std::error_code failed;
-      std::filesystem::create_directories(output, failed);
-      file = (std::filesystem::path(output) / (name + ".json")).string();
-    }
-    if (auto written = write(file, selection.choice->material->to_json() + "\n"); !written)
-      return written;
-  }
+// Where the results go. Opened before the work: what cannot be written shows before it.
+struct Outputs {
+  std::optional<OutputFile> report, choice;  // the choice of a scene without names
+};
+
+Outcome open_output(const std::string& file, std::optional<OutputFile>& output) {
+  if (file.empty()) return Ok{};
+  auto opened = OutputFile::open(file);
+  if (!opened) return opened.error();
+  output.emplace(std::move(*opened));
   return Ok{};
 }
 
+std::string file_in(const std::string& folder, const std::string& name) {
+  return (std::filesystem::path(folder) / (name + ".json")).string();
+}
+
+// Of a folder, whether a file can be made in it.
+Outcome try_folder(const std::string& folder, const std::string& name) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  const auto file = OutputFile::open(file_in(folder, name));
+  return file ? Outcome(Ok{}) : file.error();
+}
+
+Result<Outputs> open_outputs(const SelectArguments& arguments, const std::string& first) {
+  const std::string& output = arguments.output;
+  const auto apart =
+      check_outputs({{"--output", output}, {"--report", arguments.report}},
+                    {{"--reference", arguments.reference}, {"--scene", arguments.scene}});
+  if (!apart) return apart.error();
+  Outputs outputs;
+  Outcome opened = open_output(arguments.report, outputs.report);
+  if (opened && first.empty()) opened = open_output(output, outputs.choice);
+  if (opened && !first.empty() && !output.empty()) opened = try_folder(output, first);
+  if (!opened) return opened.error();
+  return outputs;
+}
+
+Outcome write(OutputFile& output, const std::string& text) {
+  if (auto written = output.write(text); !written) return written;
+  return output.commit();
+}
+
+// A choice that is the reference itself is not written: it is where it was.
+Outcome write_all(const SelectArguments& arguments, Outputs& outputs,
+                  const std::vector<NamedSelection>& found) {
+  Outcome written = Ok{};
+  if (outputs.report) written = write(*outputs.report, select_json(found));
+  for (const auto& [name, selection] : found) {
+    const bool wanted = !arguments.output.empty() && selection.choice && selection.choice->material;
+    if (!written || !wanted) continue;
+    if (!name.empty()) written = open_output(file_in(arguments.output, name), outputs.choice);
+    if (written) written = write(*outputs.choice, selection.choice->material->to_json() + "\n");
+  }
+  return written;
+}
+
+Outcome show_table(const SelectArguments& arguments, const std::vector<NamedSelection>& found) {
+  if (arguments.quiet) return Ok{};
+  const bool taken = arguments.output == "-" || arguments.report == "-";
+  const bool one = found[0].name.empty();
+  return print_table(one ? select_table(found[0].selection, arguments.all) : scene_table(found),
+                     taken);
+}
+
 int run(SelectArguments& arguments) {
+  arguments.options.whole_front = !arguments.no_front;
   const auto materials = read_scene(arguments.scene, arguments.reference);
   if (!materials) return fail(materials.error());
   if (arguments.output == "-" && !(*materials)[0].name.empty())
@@ -113,21 +165,17 @@ int run(SelectArguments& arguments) {
     if (!costs) return fail(costs.error());
     arguments.options.costs = std::move(*costs);
   }
+  for (const SceneMaterial& material : *materials) {
+    if (auto there = check_reference(material); !there) return fail(there.error());
+  }
+  auto outputs = open_outputs(arguments, (*materials)[0].name);
+  if (!outputs) return fail(outputs.error());
   auto connection = Connection::open(arguments.connection);
   if (!connection) return fail(connection.error());
   const auto found = select_all(connection->client, *materials, arguments);
   if (!found) return fail(found.error());
-  Outcome written = write(arguments.report, select_json(*found));
-  if (written) written = write_materials(arguments.output, *found);
-  if (!written) return fail(written.error());
-  // The table must not stand among what is read from standard output.
-  const bool taken = arguments.output == "-" || arguments.report == "-";
-  const bool one = (*found)[0].name.empty();
-  if (!arguments.quiet) {
-    const std::string table =
-        one ? select_table((*found)[0].selection, arguments.all) : scene_table(*found);
-    std::fputs(table.c_str(), taken ? stderr : stdout);
-  }
+  if (auto written = write_all(arguments, *outputs, *found); !written) return fail(written.error());
+  if (auto shown = show_table(arguments, *found); !shown) return fail(shown.error());
   const bool all = std::all_of(found->begin(), found->end(),
                                [](const auto& each) { return each.selection.choice.has_value(); });
   return all ? exit_ok : exit_bad_verdict;

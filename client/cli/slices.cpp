@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr std::array<double, 3> kWanted = {30, 60, 80};
-constexpr double kNearest = 5;     // how far a slice may be from what is wanted
+constexpr double kNearest = 5.01;  // how far a slice may be from what is wanted: 5, and rounding
 constexpr double kBeside = 0.5;    // from the slice, in theta_i
 constexpr double kOutOfPlane = 2;  // and in azimuth
 constexpr double kNoAzimuth = 3;   // closer to the normal an azimuth means nothing

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,11 +46,12 @@ struct ParameterReport {
 
 // Parameters that can move together and the data hardly mind: by an eigenvector of the curvature
 // (scaled to a unit diagonal) with next to no curvature, or two of a material's numbers whose
-// estimates go together.
+// estimates go together: their own matrix has the eigenvalue 1 - |correlation|. Numbers that the
+// fit holds equal, alpha_x and alpha_y of an isotropic material, are none of these.
 struct Indistinct {
   std::vector<std::string> fields;
   double eigenvalue = 0;
-  double correlation = 1;  // of two numbers; 1 for an eigenvector
+  std::optional<double> correlation;  // of two numbers; none for an eigenvector
 };
 
 // Where a parameter can be, the others following, with an objective within 1 % of the best.

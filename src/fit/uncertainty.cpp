@@ -39,7 +39,7 @@ std::vector<Indistinct> unseen(const Form& form, const Eigen::MatrixXd& H,
   std::vector<Indistinct> found;
   for (Eigen::Index k = 0; k < eigen.eigenvalues().size(); ++k) {
     if (eigen.eigenvalues()[k] > kUnseen) break;  // they come in rising order
-    Indistinct direction{{}, std::max(eigen.eigenvalues()[k], 0.0)};
+    Indistinct direction{{}, std::max(eigen.eigenvalues()[k], 0.0), {}};
     // Spread over many channels no parameter has much of it: then the largest takes part.
     const auto shares = eigen.eigenvectors().col(k).cwiseAbs();
     const double least = std::min(kTakesPart, 0.999 * shares.maxCoeff());
@@ -54,9 +54,10 @@ std::vector<Indistinct> unseen(const Form& form, const Eigen::MatrixXd& H,
   return found;
 }
 
-// Pairs of numbers whose estimates go together, each pair of fields once.
-void add_correlated(const std::vector<MaterialNumber>& numbers, const Eigen::MatrixXd& covariance,
-                    std::vector<Indistinct>& to) {
+// Pairs of numbers whose estimates go together, each pair of fields once. Those with the same
+// `slopes` are one number by the form that is fitted, which says nothing of the data.
+void add_correlated(const std::vector<MaterialNumber>& numbers, const Eigen::MatrixXd& slopes,
+                    const Eigen::MatrixXd& covariance, std::vector<Indistinct>& to) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     for (std::size_t j = i + 1; j < numbers.size(); ++j) {
       const auto a = static_cast<Eigen::Index>(i), b = static_cast<Eigen::Index>(j);
@@ -64,9 +65,10 @@ void add_correlated(const std::vector<MaterialNumber>& numbers, const Eigen::Mat
       const double correlation = size > 0 ? covariance(a, b) / size : 0;
       const std::vector fields{numbers[i].field, numbers[j].field};
       if (!(std::abs(correlation) > kTogether) || fields[0] == fields[1]) continue;
+      if (slopes.row(a) == slopes.row(b)) continue;
       const bool known = std::any_of(
           to.begin(), to.end(), [&](const Indistinct& other) { return other.fields == fields; });
-      if (!known) to.push_back({fields, 0, correlation});
+      if (!known) to.push_back({fields, std::max(1 - std::abs(correlation), 0.0), correlation});
     }
   }
 }
@@ -99,14 +101,38 @@ std::vector<std::size_t> with_curvature(const Eigen::MatrixXd& H,
   return seen;
 }
 
-ParameterReport report_of(const MaterialNumber& number, bool determined, double standard_error) {
+// What the data say of a number, by the fit's parameters that it changes with.
+struct Says {
+  bool held = false;  // it changes with some, all at their bounds or within rounding of them
+  bool determined = true;
+};
+
+Says says_of(const Eigen::MatrixXd& slopes, Eigen::Index number,
+             const std::vector<std::size_t>& free, const std::vector<std::size_t>& seen) {
+  const auto has = [](const std::vector<std::size_t>& in, Eigen::Index parameter) {
+    return std::find(in.begin(), in.end(), static_cast<std::size_t>(parameter)) != in.end();
+  };
+  bool any_held = false, any_free = false;
+  Says says;
+  for (Eigen::Index j = 0; j < slopes.cols(); ++j) {
+    if (slopes(number, j) == 0) continue;
+    const bool is_free = has(free, j);
+    any_free = any_free || is_free;
+    any_held = any_held || !is_free;
+    if (is_free && !has(seen, j)) says.determined = false;
+  }
+  says.held = any_held && !any_free;
+  return says;
+}
+
+ParameterReport report_of(const MaterialNumber& number, const Says& says, double standard_error) {
   const Parameter& p = *number.parameter;
   ParameterReport report;
   report.field = number.field;
   report.channel = number.channel;
   report.value = number.value;
-  report.at_bound = number.value <= p.lower || number.value >= p.upper;
-  report.determined = determined && std::isfinite(standard_error);
+  report.at_bound = number.value <= p.lower || number.value >= p.upper || says.held;
+  report.determined = says.determined && std::isfinite(standard_error);
   report.lower = p.lower;
   report.upper = p.upper;
   if (!report.determined) return report;
@@ -149,17 +175,12 @@ Uncertainty uncertainty_at(const Problem& problem, std::span<const double> param
   const Eigen::MatrixXd all = slopes_of(form, parameters, channels, numbers);
   const Eigen::MatrixXd J = all(Eigen::all, seen);
   const Eigen::MatrixXd curved = J * inverted * J.transpose();
-  add_correlated(numbers, curved, result.indistinct);
+  add_correlated(numbers, J, curved, result.indistinct);
   const Eigen::MatrixXd variance = share * J * inverted * S * inverted * J.transpose();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    bool determined = true;
-    for (const std::size_t j : free) {
-      const bool blind = std::find(seen.begin(), seen.end(), j) == seen.end();
-      if (blind && all(at, static_cast<Eigen::Index>(j)) != 0) determined = false;
-    }
-    result.parameters.push_back(
-        report_of(numbers[i], determined, std::sqrt(std::max(variance(at, at), 0.0))));
+    result.parameters.push_back(report_of(numbers[i], says_of(all, at, free, seen),
+                                          std::sqrt(std::max(variance(at, at), 0.0))));
   }
   return result;
 }

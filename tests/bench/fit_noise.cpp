@@ -37,7 +37,7 @@ void print_ambiguity() {
   }
   for (const fit::Indistinct& i : report.indistinct) {
     std::printf("  not told apart (eigenvalue %.2g, correlation %.4f):", i.eigenvalue,
-                i.correlation);
+                i.correlation.value_or(1));
     for (const std::string& field : i.fields) std::printf(" %s", field.c_str());
     std::printf("\n");
   }

@@ -115,6 +115,7 @@ TEST(ChartCommand, BadInputIsRefusedBeforeTheWork) {
                     pairs = folder / "pairs.csv";
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "--output is required"},
+      {"-o -", "--output is -; allowed: a folder"},
       {"-o " + file, file + " cannot be made"},
       {"-o " + file + "/below", "cannot be made: Not a directory"},
       {"-o " + out + " --parts models,nothing", "nothing"},

@@ -68,6 +68,17 @@ TEST_F(Compare, DrawsDotsAndALineForEachMaterial) {
   EXPECT_LT(count(picture("one.png"), kOrange), 100U);  // but for the light's dashes
 }
 
+// Angles that are five degrees off, but for rounding, are all near enough.
+TEST_F(Compare, DrawsASliceFiveDegreesAway) {
+  ASSERT_EQ(run("gonio evaluate --material $D/truth.json --deg --with-input --grid "
+                "theta_i=5:75:8,phi_i=0,theta_o=0:85:18,phi_o=0:330:12 -o $D/data.csv")
+                .exit_code,
+            0);
+  const auto result = run(kCompare + "--material $D/truth.json --slices $D/slices.png");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(picture("slices.png").width, 3 * 460);
+}
+
 TEST_F(Compare, DrawsSpheresOfWhatIsMeasuredAndOfTheMaterials) {
   ASSERT_TRUE(
       gonio::testing::write_merl(folder_ / "glossy.binary", gonio::testing::glossy_example));

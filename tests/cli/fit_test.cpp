@@ -118,12 +118,22 @@ TEST_F(FitCommand, NamesWhatIsWrong) {
   EXPECT_THAT(error_of(good + "--model ggx:glass"), HasSubstr("none, schlick"));
   EXPECT_THAT(error_of(good + "--model ggx --lobes 3"), HasSubstr("--lobes"));
   EXPECT_THAT(error_of(good + "--model ggx --min-theta 80 --max-theta 60"),
-              HasSubstr("options.min_theta"));
+              HasSubstr("--min-theta is 80; allowed: 0 to below --max-theta, 60 degrees"));
+  for (const char* none : {"0", "nan", "-1", "91"})
+    EXPECT_THAT(error_of(good + "--model ggx --max-theta " + none),
+                HasSubstr("--max-theta is " + std::string(none) + "; allowed: above 0"));
+  EXPECT_THAT(error_of(good + "--model ggx --deadline nan"), HasSubstr("--deadline is nan"));
   EXPECT_THAT(error_of("--data $D/no.csv --model ggx"), HasSubstr("no.csv"));
   EXPECT_THAT(error_of("--data $D/no.binary --model ggx"), HasSubstr("no.binary"));
   EXPECT_THAT(error_of("--data $D/no.brdf --model ggx"), HasSubstr("no such file"));
   write_file(folder_ / "bad.csv", "theta_i,phi_i,theta_o,phi_o\n");
   EXPECT_THAT(error_of("--data $D/bad.csv --model ggx"), HasSubstr("lacks a value f_0"));
+  for (const char* stray : {"f_2", "f_64"}) {
+    write_file(folder_ / "bad.csv",
+               "theta_i,phi_i,theta_o,phi_o,f_0," + std::string(stray) + "\n0,0,0,0,1,1\n");
+    EXPECT_THAT(error_of("--data $D/bad.csv --model ggx"),
+                HasSubstr("the header has " + std::string(stray) + " twice, beyond f_63 or after"));
+  }
   write_file(folder_ / "bad.csv", "theta_i,phi_i,theta_o,phi_o,f_0\n0,0,0,0\n");
   EXPECT_THAT(error_of("--data $D/bad.csv --model ggx"),
               HasSubstr("bad.csv:2: the number of columns"));

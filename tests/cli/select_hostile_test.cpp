@@ -27,7 +27,13 @@ TEST_F(SelectRefuses, ScenesThatAreNone) {
   EXPECT_THAT(refused(""), HasSubstr("bad.json, which is empty; allowed: a JSON object"));
   EXPECT_THAT(refused("  \n"), HasSubstr("which is empty"));
   EXPECT_THAT(refused("{}"), HasSubstr("scene is empty; allowed: ranges theta_i and theta_o"));
-  EXPECT_THAT(refused("[]"), HasSubstr("bad.json"));
+  EXPECT_THAT(refused("[]"), HasSubstr("which does not begin with {; allowed: a JSON object"));
+  EXPECT_THAT(refused(R"({"theta_i": [0, 60], "theta_o": [0, 75]})"),
+              HasSubstr("scene.tolerance is not given; allowed: a number above 0"));
+  std::filesystem::create_directory(folder_ / "folder.json");
+  const auto folder = select("--reference grey.json --scene folder.json");
+  EXPECT_EQ(folder.exit_code, 2);
+  EXPECT_THAT(folder.err, HasSubstr("scene is folder.json; allowed: a JSON file that can be read"));
   EXPECT_THAT(refused(R"({"tolerance": 0.1})"), HasSubstr("scene is empty"));
   EXPECT_THAT(refused(R"({"theta_i": [0, 60], "tolerance": 0.1})"),
               HasSubstr("scene.theta_o is not given; allowed: [lower, upper] in degrees"));
@@ -74,6 +80,8 @@ TEST_F(SelectRefuses, NamesThatWouldLeaveTheFolder) {
   };
   for (const std::string name : {"../b", "c/d", "", "..", "."})
     EXPECT_THAT(error_of(name, "chosen"), HasSubstr('"' + name + "\" as a name"));
+  EXPECT_THAT(error_of(std::string(201, 'n'), "chosen"), HasSubstr("1 to 200 bytes"));
+  EXPECT_THAT(error_of("a\\u0000b", "chosen"), HasSubstr("a\\u0000b\" as a name"));
   EXPECT_THAT(error_of("a", "-"),
               HasSubstr("--output is -, for materials by name; allowed: a folder"));
 }

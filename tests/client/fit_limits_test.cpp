@@ -106,6 +106,45 @@ TEST_F(FitLimits, IsRefusedWhereTooManyWait) {
   EXPECT_TRUE(connect("tcp").fit(little.data(), client::Material::model("lambertian")).ok());
 }
 
+// What is alone may hold more than the quota; another beside it may not.
+TEST_F(FitLimits, MemoryThatIsFullIsSaidToBe) {
+  start_with([](ServerOptions& server) {
+    server.memory_quota_bytes = server.max_message_bytes = std::size_t{16} << 20;
+  });
+  const Measured measured(20'000 / kSlower);
+  std::atomic<bool> heard{false}, stop{false};
+  std::thread first([&] {
+    client::FitOptions slow;
+    slow.polish = true;
+    slow.starts = 100;
+    client::FitWatch watch;
+    watch.progress = [&](const auto&) { heard = true; };
+    watch.stop = [&] { return stop.load(); };
+    return connect("tcp").fit(measured.data(), form(), slow, watch);
+  });
+  while (!heard) std::this_thread::sleep_for(milliseconds(5));
+  client::ClientOptions impatient;
+  impatient.max_retries = 0;
+  const Measured little(50);
+  const auto refused = connect("tcp", impatient).fit(little.data(), form());
+  stop = true;
+  first.join();
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::resource_exhausted);
+  EXPECT_THAT(refused.error().message, HasSubstr("memory is full: requests and answers hold"));
+  EXPECT_THAT(refused.error().message, HasSubstr(" of 16777216 bytes, and this one needs "));
+}
+
+TEST_F(FitLimits, ARequestThatIsTooLargeSaysWhatIsAllowed) {
+  start_with([](ServerOptions& server) { server.max_message_bytes = std::size_t{1} << 20; });
+  const Measured measured(40'000);
+  const auto refused = connect("tcp").fit(measured.data(), form());
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::resource_exhausted);
+  EXPECT_THAT(refused.error().message, HasSubstr("larger than max"));
+  EXPECT_THAT(refused.error().allowed, HasSubstr("fewer pairs"));
+}
+
 TEST_F(FitLimits, LeavesEvaluationAlone) {
   const Measured measured(20'000 / kSlower);
   std::atomic<int> done{0};

@@ -86,5 +86,60 @@ TEST(Certificate, SaysWhatTheDataCannotTellApart) {
   EXPECT_THAT(result->certificate.reason, ::testing::HasSubstr("eta"));
 }
 
+// Nor is a colour that ends within rounding of its bound known exactly.
+TEST(Certificate, ErrorsOfNothingAreAtABound) {
+  MaterialSpec truth = kTruth;
+  truth.diffuse->parameters["rd"] = Numbers{0};
+  const auto result = fit::fit(data_of(truth, scattered_pairs(2000, 1)), form_of(truth), {});
+  ASSERT_TRUE(result.ok());
+  const auto& rd = result->certificate.parameters.front();
+  EXPECT_EQ(rd.field, "diffuse.parameters.rd");
+  EXPECT_LT(rd.value, 1e-6);
+  EXPECT_TRUE(rd.at_bound || rd.standard_error > 0) << rd.value;
+}
+
+// An isotropic material's two roughnesses are one parameter: that they are equal is no doubt.
+TEST(Certificate, WhatIsHeldEqualIsNotAmbiguous) {
+  const LobeSpec ggx{"ggx",
+                     {{"alpha_x", Numbers{0.2}}, {"alpha_y", Numbers{0.2}}, {"fresnel", "none"}}};
+  const LobeSpec ward{"ward",
+                      {{"rs", Numbers{0.4}}, {"alpha_x", Numbers{0.2}}, {"alpha_y", Numbers{0.2}}}};
+  const LobeSpec ashikhmin{"ashikhmin_shirley", {{"nu", Numbers{50}}, {"nv", Numbers{50}}}};
+  for (const LobeSpec& lobe : {ggx, ward, ashikhmin}) {
+    MaterialSpec truth = kTruth;
+    truth.specular = {lobe};
+    const auto result =
+        fit::fit(data_of(truth, scattered_pairs(2000, 1), 0.02), form_of(truth), {});
+    ASSERT_TRUE(result.ok());
+    for (const fit::Indistinct& i : result->certificate.indistinct) {
+      EXPECT_THAT(i.fields, ::testing::Not(::testing::Contains(::testing::EndsWith("alpha_y"))));
+      EXPECT_THAT(i.fields, ::testing::Not(::testing::Contains(::testing::EndsWith("nv"))));
+    }
+    EXPECT_NE(result->certificate.verdict, fit::Verdict::ambiguous)
+        << lobe.model << ": " << result->certificate.reason;
+  }
+}
+
+// The order of two lobes of one kind is no other optimum.
+TEST(Certificate, LobesThatChangePlacesAreNotAmbiguous) {
+  const auto ggx = [](double alpha, double scale) {
+    return LobeSpec{"ggx",
+                    {{"alpha_x", Numbers{alpha}},
+                     {"alpha_y", Numbers{alpha}},
+                     {"scale", Numbers{scale}},
+                     {"fresnel", "none"}}};
+  };
+  MaterialSpec truth = kTruth;
+  truth.specular = {ggx(0.05, 0.2), ggx(0.4, 0.2)};
+  const fit::Data data = data_of(truth, scattered_pairs(3000, 1), 0.02);
+  for (const bool turned : {false, true}) {
+    MaterialSpec guess = truth;
+    if (turned) std::swap(guess.specular[0], guess.specular[1]);
+    const auto result = fit::fit(data, guess, {});
+    ASSERT_TRUE(result.ok());
+    EXPECT_EQ(result->certificate.verdict, fit::Verdict::converged) << result->certificate.reason;
+  }
+}
+
 }  // namespace
 }  // namespace gonio::testing

@@ -117,15 +117,14 @@ TEST(HostileData, FewPairsOfManyChannels) {
                                       {"f0", f0},
                                       {"fresnel", "schlick"}}}}};
   const fit::Data near = fit::within(data_of(truth, scattered_pairs(20'000, 1), 0.05), 0, 0.2);
-  for (const char* fresnel : {"schlick", "conductor"}) {
-    const MaterialSpec form{
-        {}, LobeSpec{"lambertian", {}}, {LobeSpec{"ggx", {{"fresnel", fresnel}}}}};
-    const auto result = fit::fit(fit::subset(near, 50, 1), form, {});
-    ASSERT_TRUE(result.ok());
-    EXPECT_FALSE(result->certificate.indistinct.empty());
-    for (const auto& direction : result->certificate.indistinct)
-      EXPECT_FALSE(direction.fields.empty());
-  }
+  const MaterialSpec form{
+      {}, LobeSpec{"lambertian", {}}, {LobeSpec{"ggx", {{"fresnel", "conductor"}}}}};
+  const auto result = fit::fit(fit::subset(near, 50, 1), form, {});
+  ASSERT_TRUE(result.ok());
+  const auto& found = result->certificate.indistinct;
+  EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                          [](const fit::Indistinct& one) { return !one.correlation; }));
+  for (const auto& direction : found) EXPECT_FALSE(direction.fields.empty());
 }
 
 TEST(HostileData, NothingLeft) {

@@ -156,6 +156,20 @@ TEST_F(Put, GoesIntoTheFolderAsAWhole) {
   EXPECT_THAT(names(), ElementsAre("gold", "grey"));
 }
 
+TEST_F(Put, LeftoversOfAKilledServerGoAfterADay) {
+  const TempFolder folder;
+  const auto now = std::filesystem::file_time_type::clock::now();
+  for (const auto& [name, hours] : {std::pair(".put-old", 25), {".put-new", 1}, {"old.txt", 25}}) {
+    std::ofstream(folder / name) << "half a file";
+    std::filesystem::last_write_time(folder / name, now - std::chrono::hours(hours));
+  }
+  options_.materials = folder / "";
+  start(options_);
+  EXPECT_FALSE(std::filesystem::exists(folder / ".put-old"));
+  EXPECT_TRUE(std::filesystem::exists(folder / ".put-new"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "old.txt"));
+}
+
 TEST_F(Put, DoesNotReplaceAFileThatCameMeanwhile) {
   const TempFolder folder;
   options_.materials = folder / "";

@@ -43,6 +43,7 @@ Error not_drawn(const std::string& folder, const Error& why) {
 }  // namespace
 
 Outcome make_folder(const std::string& folder) {
+  if (folder == "-") return bad_value("--output", "-", "a folder: there are many files");
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem || !std::filesystem::is_directory(folder, problem)) {
