@@ -27,12 +27,8 @@
 // from many threads at once.
 #pragma once
 
-#include <chrono>
-#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,6 +40,8 @@
 #include "client/grid.h"
 #include "client/material.h"
 #include "client/models.h"
+#include "client/options.h"
+#include "client/pair_chunks.h"
 #include "client/put.h"
 #include "client/sampling.h"
 #include "client/select.h"
@@ -54,56 +52,6 @@ class Channel;
 }
 
 namespace gonio::client {
-
-struct ClientOptions {
-  // For a call as a whole, with its retries; 0 means none. Without one, a server that hangs makes
-  // the call hang.
-  std::chrono::milliseconds deadline{0};
-  // After this long, an address that does not answer at all counts as unreachable. Not for
-  // from_channel().
-  std::chrono::milliseconds connect_timeout{5000};
-  // Pairs, or samples, in a chunk and in a call; fewer are taken where an answer would exceed 3
-  // MiB.
-  std::size_t chunk_pairs = 65536;
-  // Chunks on their way at a time.
-  int in_flight = 4;
-  // Tries after the first without any progress between them; 0 means never again.
-  int max_retries = 4;
-  // The pause before the first retry, doubled for each further one up to 2 s, and varied by a
-  // random fifth.
-  std::chrono::milliseconds backoff{100};
-};
-
-struct EvaluateOptions {
-  InstructionSet instruction_set = InstructionSet::best;
-  // In place of ClientOptions::deadline.
-  std::optional<std::chrono::milliseconds> deadline;
-  // evaluate_chunks() then gives Chunk::pdf, the densities of evaluate_with_pdf().
-  bool pdf = false;
-};
-
-// Gives the next pairs: writes n <= wi.size() / 3 of them to the front of both spans and returns n;
-// 0 ends the input. Called on the thread that called evaluate_chunks; an error ends the evaluation
-// and is passed on.
-template <class In>
-using PairSource = std::function<Result<std::size_t>(std::span<In> wi, std::span<In> wo)>;
-
-// A run of results. All of it is valid during the call of the sink only.
-template <class In, class Out>
-struct Chunk {
-  std::uint64_t first = 0;  // the number of its first pair
-  std::size_t pairs = 0;
-  int channels = 0;
-  std::span<const In> wi, wo;           // as the source gave them; empty for a grid
-  std::span<const Out> values;          // pairs x channels
-  std::span<const Out> pdf;             // one a pair, if EvaluateOptions::pdf asked for it
-  std::span<const std::uint8_t> flags;  // one byte a pair
-};
-
-// Takes the results in the order of the pairs, on the thread that called; an error ends the
-// evaluation and is passed on.
-template <class In, class Out>
-using ChunkSink = std::function<Outcome(const Chunk<In, Out>&)>;
 
 class Client {
  public:

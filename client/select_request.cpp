@@ -5,15 +5,34 @@
 
 #include "client/fit_convert.h"
 #include "client/select_convert.h"
+#include "wire/words.h"
 
 namespace gonio::client {
 namespace {
 
 namespace v1 = gonio::v1;
 
-constexpr std::array<std::string_view, 5> kMetrics{"l1", "rmse", "log", "cbrt", "delta_e"};
-constexpr std::array<std::string_view, 3> kCosts{"ns", "bytes", "ns_variance"};
-constexpr std::array<std::string_view, 2> kLights{"directional", "environment"};
+// In the order of the enums, which are cast to and from the wire's.
+constexpr std::array<std::string_view, v1::SelectMetric_MAX> kMetrics{"l1", "rmse", "log", "cbrt",
+                                                                      "delta_e"};
+constexpr std::array<std::string_view, v1::SelectCost_MAX> kCosts{"ns", "bytes", "ns_variance"};
+constexpr std::array<std::string_view, v1::SelectLights_MAX> kLights{"directional", "environment"};
+static_assert(wire::same_words<SelectMetric, v1::SelectMetric>(
+    {{SelectMetric::l1, v1::SELECT_METRIC_L1},
+     {SelectMetric::rmse, v1::SELECT_METRIC_RMSE},
+     {SelectMetric::log, v1::SELECT_METRIC_LOG},
+     {SelectMetric::cbrt, v1::SELECT_METRIC_CBRT},
+     {SelectMetric::delta_e, v1::SELECT_METRIC_DELTA_E}},
+    v1::SelectMetric_MAX));
+static_assert(wire::same_words<SelectCost, v1::SelectCost>(
+    {{SelectCost::ns, v1::SELECT_COST_NS},
+     {SelectCost::bytes, v1::SELECT_COST_BYTES},
+     {SelectCost::ns_variance, v1::SELECT_COST_NS_VARIANCE}},
+    v1::SelectCost_MAX));
+static_assert(wire::same_words<SelectLights, v1::SelectLights>(
+    {{SelectLights::directional, v1::SELECT_LIGHTS_DIRECTIONAL},
+     {SelectLights::environment, v1::SELECT_LIGHTS_ENVIRONMENT}},
+    v1::SelectLights_MAX));
 
 template <class Enum, std::size_t N>
 Result<Enum> named(const std::array<std::string_view, N>& names, const char* field,
@@ -24,12 +43,6 @@ Result<Enum> named(const std::array<std::string_view, N>& names, const char* fie
     known += (known.empty() ? "" : ", ") + std::string(names[i]);
   }
   return bad_value(field, '"' + std::string(name) + '"', known);
-}
-
-// The wire's words are these in the same order, after one for the default.
-template <class To, class From>
-To word(From from) {
-  return static_cast<To>(static_cast<int>(from) + 1);
 }
 
 void fill(const SelectRange& from, v1::SelectRange& to) {
@@ -45,12 +58,12 @@ void fill(const SelectScene& from, v1::SelectScene& to) {
     fill(bin.phi, *sent.mutable_phi());
     sent.set_weight(bin.weight);
   }
-  to.set_lights(word<v1::SelectLights>(from.lights));
+  to.set_lights(wire::word_of<v1::SelectLights>(from.lights));
   to.set_isotropic(!from.anisotropy);
-  to.set_metric(word<v1::SelectMetric>(from.metric));
+  to.set_metric(wire::word_of<v1::SelectMetric>(from.metric));
   to.set_tolerance(from.tolerance);
   to.set_confidence(from.confidence);
-  to.set_cost(word<v1::SelectCost>(from.cost));
+  to.set_cost(wire::word_of<v1::SelectCost>(from.cost));
 }
 
 // 0 would mean the default on the wire.

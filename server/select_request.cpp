@@ -6,11 +6,28 @@
 
 #include "server/decode_request.h"
 #include "server/measured_pairs.h"
+#include "wire/words.h"
 
 namespace gonio {
 namespace {
 
-// The wire's words are the core's in the same order, after one for the default.
+static_assert(wire::same_words<select::Metric, v1::SelectMetric>(
+    {{select::Metric::l1, v1::SELECT_METRIC_L1},
+     {select::Metric::rmse, v1::SELECT_METRIC_RMSE},
+     {select::Metric::log, v1::SELECT_METRIC_LOG},
+     {select::Metric::cbrt, v1::SELECT_METRIC_CBRT},
+     {select::Metric::delta_e, v1::SELECT_METRIC_DELTA_E}},
+    v1::SelectMetric_MAX));
+static_assert(wire::same_words<select::CostKind, v1::SelectCost>(
+    {{select::CostKind::ns, v1::SELECT_COST_NS},
+     {select::CostKind::bytes, v1::SELECT_COST_BYTES},
+     {select::CostKind::ns_variance, v1::SELECT_COST_NS_VARIANCE}},
+    v1::SelectCost_MAX));
+static_assert(wire::same_words<select::Lights, v1::SelectLights>(
+    {{select::Lights::directional, v1::SELECT_LIGHTS_DIRECTIONAL},
+     {select::Lights::environment, v1::SELECT_LIGHTS_ENVIRONMENT}},
+    v1::SelectLights_MAX));
+
 template <class To, class From>
 Result<To> word(From from, int last, To usual, const char* field, const char* allowed) {
   const int number = static_cast<int>(from);
@@ -31,15 +48,15 @@ select::Bin bin_of(const v1::SelectBin& from) {
 }
 
 Result<select::Scene> scene_of(const v1::SelectScene& from) {
-  const auto metric = word(from.metric(), v1::SELECT_METRIC_DELTA_E, select::Metric::l1,
-                           "scene.metric", "SELECT_METRIC_L1 (1) to SELECT_METRIC_DELTA_E (5)");
+  const auto metric = word(from.metric(), v1::SelectMetric_MAX, select::Metric::l1, "scene.metric",
+                           "SELECT_METRIC_L1 (1) to SELECT_METRIC_DELTA_E (5)");
   if (!metric) return metric.error();
-  const auto cost = word(from.cost(), v1::SELECT_COST_NS_VARIANCE, select::CostKind::ns,
-                         "scene.cost", "SELECT_COST_NS (1) to SELECT_COST_NS_VARIANCE (3)");
+  const auto cost = word(from.cost(), v1::SelectCost_MAX, select::CostKind::ns, "scene.cost",
+                         "SELECT_COST_NS (1) to SELECT_COST_NS_VARIANCE (3)");
   if (!cost) return cost.error();
   const auto lights =
-      word(from.lights(), v1::SELECT_LIGHTS_ENVIRONMENT, select::Lights::directional,
-           "scene.lights", "SELECT_LIGHTS_DIRECTIONAL (1) or SELECT_LIGHTS_ENVIRONMENT (2)");
+      word(from.lights(), v1::SelectLights_MAX, select::Lights::directional, "scene.lights",
+           "SELECT_LIGHTS_DIRECTIONAL (1) or SELECT_LIGHTS_ENVIRONMENT (2)");
   if (!lights) return lights.error();
   select::Scene scene;
   for (const auto& bin : from.bins()) scene.bins.push_back(bin_of(bin));

@@ -4,17 +4,17 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "engine/evaluate.h"
 #include "engine/isa.h"
 #include "fit/arrays.h"
+#include "fit/worst_places.h"
 
 namespace gonio::fit {
 namespace {
 
 constexpr std::size_t kRun = 4096;
-// Two places closer than this in both directions are one: cos(5 degrees).
-constexpr double kSamePlace = 0.9962;
 
 Eigen::ArrayXd part(std::span<const float> all, std::size_t first, Eigen::Index count) {
   return Eigen::Map<const Eigen::ArrayXf>(&all[first], count).cast<double>();
@@ -86,39 +86,6 @@ void divide(Region& region, double by) {
   region.error /= by;
 }
 
-// The places with the largest contributions so far, none beside another.
-class Worst {
- public:
-  explicit Worst(std::size_t wanted) : wanted_(wanted) {}
-  void offer(const Place& place) {
-    if (wanted_ == 0 || (places_.size() == wanted_ && place.share <= places_.back().share)) return;
-    const auto near = std::find_if(places_.begin(), places_.end(),
-                                   [&](const Place& p) { return same(p, place); });
-    if (near != places_.end()) {
-      if (near->share >= place.share) return;
-      places_.erase(near);
-    }
-    const auto at = std::find_if(places_.begin(), places_.end(),
-                                 [&](const Place& p) { return p.share < place.share; });
-    places_.insert(at, place);
-    if (places_.size() > wanted_) places_.pop_back();
-  }
-  std::vector<Place> places(double total) && {
-    for (Place& place : places_) place.share /= total > 0 ? total : 1;
-    return std::move(places_);
-  }
-
- private:
-  static double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-  static bool same(const Place& a, const Place& b) {
-    return dot(a.wi, b.wi) > kSamePlace && dot(a.wo, b.wo) > kSamePlace;
-  }
-  std::size_t wanted_;
-  std::vector<Place> places_;
-};
-
 std::array<double, 3> direction(const std::array<std::vector<float>, 3>& w, std::size_t i) {
   return {static_cast<double>(w[0][i]), static_cast<double>(w[1][i]), static_cast<double>(w[2][i])};
 }
@@ -186,7 +153,7 @@ class Tally {
   const Data& data_;
   Sums below_, above_;
   Regions regions_;
-  Worst places_;
+  WorstPlaces places_;
 };
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "select/scene.h"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -64,9 +63,18 @@ Outcome check_counts(std::span<const double> counts, std::size_t expected) {
 }  // namespace
 
 fit::Objective objective_of(Metric metric) {
-  constexpr std::array kObjectives{fit::Objective::l1, fit::Objective::l2, fit::Objective::log,
-                                   fit::Objective::cbrt, fit::Objective::cbrt};
-  return kObjectives[static_cast<std::size_t>(metric)];
+  switch (metric) {
+    case Metric::l1:
+      return fit::Objective::l1;
+    case Metric::rmse:
+      return fit::Objective::l2;
+    case Metric::log:
+      return fit::Objective::log;
+    case Metric::cbrt:
+    case Metric::delta_e:
+      break;
+  }
+  return fit::Objective::cbrt;
 }
 
 Outcome check(const Scene& scene) {

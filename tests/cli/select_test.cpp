@@ -79,7 +79,7 @@ TEST_F(SelectCommand, SelectsForAllMaterialsOfAScene) {
 TEST_F(SelectCommand, NothingGoodEnoughHasAnExitStatusOfItsOwn) {
   // Pairs that no model follows.
   std::string rows = "theta_i,phi_i,theta_o,phi_o,f_0\n";
-  for (int i = 0; i < 2000; ++i)
+  for (int i = 0; i < 600; ++i)
     rows += std::to_string(i % 7 * 0.1) + ",0," + std::to_string(i % 11 * 0.1) + "," +
             std::to_string(i % 13 * 0.4) + "," + std::to_string(i % 5) + "\n";
   write("noise.csv", rows);

@@ -1,6 +1,5 @@
 // What the client says when the caller is wrong, or the server is not there.
 #include <gmock/gmock.h>
-#include <google/protobuf/util/message_differencer.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -12,7 +11,6 @@
 #include "client/client.h"
 #include "client/pairs.h"
 #include "client/server_fixture.h"
-#include "gonio/v1/material.pb.h"
 
 namespace gonio::test {
 namespace {
@@ -117,48 +115,6 @@ TEST_F(ErrorTest, BadMaterialInAStream) {
           .evaluate(Material::model("ggx", {{"alpha_x", 7.0}}), pairs.wi, pairs.wo, values);
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.error().field, "material.parameters.alpha_x");
-}
-
-TEST(Material, JsonErrors) {
-  EXPECT_FALSE(Material::from_json("{").ok());
-  EXPECT_FALSE(Material::from_json("[]").ok());
-  auto unknown = Material::from_json(R"({"modell": "ggx"})");
-  ASSERT_FALSE(unknown.ok());
-  EXPECT_THAT(unknown.error().message, HasSubstr("modell"));
-}
-
-bool same(const Material& a, const Material& b) {
-  v1::Material first, second;
-  return first.ParseFromString(a.wire()) && second.ParseFromString(b.wire()) &&
-         google::protobuf::util::MessageDifferencer::Equals(first, second);
-}
-
-TEST(Material, AllFormsAgree) {
-  const auto built = Material::sum(client::Lobe{"lambertian", {{"rd", std::vector{0.2, 0.3}}}},
-                                   {{"cook_torrance", {{"m", 0.3}, {"fresnel", "dielectric"}}}});
-  const auto read = Material::from_json(built.to_json());
-  ASSERT_TRUE(read.ok()) << read.error().message;
-  EXPECT_TRUE(same(*read, built));
-  const auto written = Material::from_json(
-      R"({"diffuse": {"model": "lambertian", "parameters": {"rd": [0.2, 0.3]}},
-          "specular": [{"model": "cook_torrance", "parameters": {"m": 0.3, "fresnel": "dielectric"}}]})");
-  ASSERT_TRUE(written.ok());
-  EXPECT_TRUE(same(*written, built));
-  EXPECT_EQ(Material::named("gold").to_json(), R"({"name":"gold"})");
-}
-
-// Maps of a message come in any order; what is written, cached and compared does not.
-TEST(Material, IsTheSameTextAndBytesAlways) {
-  const client::Parameters many{
-      {"alpha_x", 0.1}, {"alpha_y", 0.2}, {"eta", 1.5}, {"f0", 0.3}, {"scale", 2.0}};
-  const Material first = Material::model("ggx", many);
-  EXPECT_EQ(first.to_json(), R"({"model":"ggx","parameters":)"
-                             R"({"alpha_x":0.1,"alpha_y":0.2,"eta":1.5,"f0":0.3,"scale":2}})");
-  for (int i = 0; i < 20; ++i) {
-    const Material again = Material::from_json(first.to_json()).value();
-    EXPECT_EQ(again.to_json(), first.to_json());
-    EXPECT_EQ(again.wire(), first.wire());
-  }
 }
 
 TEST(DeadServer, IsNamedAndDoesNotHang) {

@@ -131,23 +131,6 @@ TEST_F(Select, NamesWhatIsWrong) {
   EXPECT_THAT(error.message, HasSubstr("0 usable pairs of 1 (1 not finite"));
 }
 
-TEST(SelectWords, NearMissesAreRefused) {
-  for (const char* name :
-       {"L1", "l1 ", " l1", "l2", "l", "", "rms", "logarithm", "Cbrt", "delta"}) {
-    const auto found = client::metric_of(name);
-    ASSERT_FALSE(found.ok()) << name;
-    EXPECT_EQ(found.error().field, "scene.metric");
-    EXPECT_EQ(found.error().value, '"' + std::string(name) + '"');
-    EXPECT_EQ(found.error().allowed, "l1, rmse, log, cbrt, delta_e");
-  }
-  EXPECT_EQ(client::cost_of("NS").error().allowed, "ns, bytes, ns_variance");
-  EXPECT_EQ(client::lights_of("sun").error().allowed, "directional, environment");
-  EXPECT_EQ(*client::metric_of("cbrt"), client::SelectMetric::cbrt);
-  EXPECT_EQ(*client::metric_of("delta_e"), client::SelectMetric::delta_e);
-  EXPECT_EQ(*client::cost_of("ns_variance"), client::SelectCost::ns_variance);
-  EXPECT_EQ(*client::lights_of("environment"), client::SelectLights::environment);
-}
-
 TEST_F(Select, StopsWhenItIsTold) {
   client::SelectOptions options = quick();
   options.lobes = 2;

@@ -4,6 +4,19 @@
 #include <algorithm>
 
 namespace gonio::cli {
+namespace {
+
+std::vector<std::string> part_names() {
+  std::vector<std::string> names;
+  for (const chart::Part& part : chart::all_parts()) names.push_back(name_of(part));
+  return names;
+}
+
+}  // namespace
+
+std::string name_of(const chart::Part& part) {
+  return part.name == "directions" ? "wire" : std::string(part.name);
+}
 
 bool ChartArguments::wants(const std::string& part) const {
   return parts.empty() || std::ranges::find(parts, part) != parts.end();
@@ -25,8 +38,7 @@ void add_chart_options(CLI::App& command, ChartArguments& arguments) {
   command.add_option("--parts", arguments.parts, "Only these, separated by commas")
       ->type_name("PART")
       ->delimiter(',')
-      ->check(
-          CLI::IsMember({"models", "fits", "approximations", "wire", "sampling", "resolution"}));
+      ->check(CLI::IsMember(part_names()));
   add_connection_options(command, arguments.connection);
   command.add_flag("--quick", arguments.quick, "Fewer and shorter repetitions: rough times");
   command.add_flag("--quiet,-q", arguments.quiet, "No progress bar, and do not list the files");

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "chart/parts.h"
 #include "client/cli/connection.h"
 
 namespace gonio::cli {
@@ -19,6 +20,9 @@ struct ChartArguments {
 
   [[nodiscard]] bool wants(const std::string& part) const;
 };
+
+// What the command line calls a part of the core's: the types on the wire belong to its wire.
+std::string name_of(const chart::Part& part);
 
 void add_chart_options(CLI::App& command, ChartArguments& arguments);
 

@@ -27,12 +27,11 @@ chart::Options options_of(const ChartArguments& arguments) {
   return options;
 }
 
-// What the core measures of them; the types on the wire belong to its part.
+// What the core measures of them.
 std::vector<std::string> core_parts(const ChartArguments& arguments) {
   std::vector<std::string> parts;
   for (const chart::Part& part : chart::all_parts()) {
-    const std::string name(part.name == "directions" ? "wire" : part.name);
-    if (arguments.wants(name)) parts.emplace_back(part.name);
+    if (arguments.wants(name_of(part))) parts.emplace_back(part.name);
   }
   return parts;
 }
