@@ -9,11 +9,17 @@
 namespace gonio::fit {
 namespace {
 
+// Under a base a lobe's own diffuse term is held at 0, and no result.
+bool is_held(const FormLobe& lobe, const Parameter& p) {
+  return lobe.columns == FormLobe::Columns::ashikhmin_shirley && lobe.coefficient_count < 3 &&
+         p.name == "rd";
+}
+
 void append_numbers(const FormLobe& lobe, const LobeSpec& spec, int channels,
                     std::vector<MaterialNumber>& to) {
   for (const Parameter& p : (*find_model(spec.model))->parameters) {
     const auto found = spec.parameters.find(p.name);
-    if (p.kind == Kind::word || found == spec.parameters.end()) continue;
+    if (p.kind == Kind::word || found == spec.parameters.end() || is_held(lobe, p)) continue;
     const auto& numbers = std::get<std::vector<double>>(found->second);
     const bool shared = p.kind == Kind::number || p.name == "eta" || p.name == "k";
     for (int c = 0; c < (shared ? 1 : channels); ++c) {

@@ -120,6 +120,18 @@ TEST(Certificate, WhatIsHeldEqualIsNotAmbiguous) {
   }
 }
 
+TEST(Certificate, WhatAFormHoldsIsNoResult) {
+  const MaterialSpec truth{
+      {},
+      LobeSpec{"lambertian", {{"rd", Numbers{0.3}}}},
+      {LobeSpec{"ashikhmin_shirley", {{"rd", Numbers{0}}, {"rs", Numbers{0.3}}}}}};
+  const auto result = fit::fit(data_of(truth, scattered_pairs(300, 1)), form_of(truth), {});
+  ASSERT_TRUE(result.ok());
+  for (const fit::ParameterReport& p : result->certificate.parameters)
+    EXPECT_NE(p.field, "specular[0].parameters.rd");
+  EXPECT_EQ(std::get<Numbers>(result->material.specular[0].parameters.at("rd")), Numbers{0});
+}
+
 // The order of two lobes of one kind is no other optimum.
 TEST(Certificate, LobesThatChangePlacesAreNotAmbiguous) {
   const auto ggx = [](double alpha, double scale) {
