@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "client/cli/assess_table.h"
+#include "client/cli/check_outputs.h"
 #include "client/cli/commands.h"
 #include "client/cli/common_arguments.h"
 #include "client/cli/exit_codes.h"

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "client/cli/check_outputs.h"
 #include "client/cli/commands.h"
 #include "client/cli/compare_pictures.h"
 #include "client/cli/comparison.h"

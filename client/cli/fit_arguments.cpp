@@ -29,8 +29,8 @@ horizon or negative are left out and counted.
 
 A specular model is fitted as a lobe over a lambertian base, with the exact Fresnel term of a
 dielectric if it takes one; NAME:none, NAME:schlick, NAME:dielectric and NAME:conductor choose. With
---base none it is fitted alone: ashikhmin_shirley then has its own diffuse term, which a base takes
-the place of. With several models the one with the least objective goes to -o.
+--base none one lobe is fitted alone: ashikhmin_shirley then has its own diffuse term, which it has
+in no sum. With several models the one with the least objective goes to -o.
 
 Verdicts: converged; bound-limited, where a bound of a parameter holds the optimum; ambiguous, where the
 data cannot tell the parameters apart; failed. Errors, over all data: l1 is sum |f - m| cos / sum

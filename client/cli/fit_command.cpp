@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "client/cli/check_outputs.h"
 #include "client/cli/commands.h"
 #include "client/cli/exit_codes.h"
 #include "client/cli/fit_arguments.h"

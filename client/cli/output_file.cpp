@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -31,8 +32,11 @@ Path* slot_of(std::string_view path) {
 
 void remember(const std::string& path) {
   Path* slot = slot_of({});
-  if (slot == nullptr || path.size() >= slot->size()) return;
-  std::memcpy(slot->data(), path.c_str(), path.size() + 1);
+  if (slot == nullptr || path.empty() || path.size() >= slot->size()) return;
+  // Its first byte comes last: a signal in between finds an empty text.
+  std::memcpy(slot->data() + 1, path.c_str() + 1, path.size());
+  std::atomic_signal_fence(std::memory_order_seq_cst);
+  (*slot)[0] = path[0];
 }
 
 void forget(const std::string& path) {
@@ -61,33 +65,6 @@ void handle_signals() {
     // What whoever started this has chosen to ignore (nohup) stays ignored.
     if (::signal(signal, remove_and_die) == SIG_IGN) ::signal(signal, SIG_IGN);
   }
-}
-
-Outcome check_outputs(const std::vector<NamedFile>& outputs, const std::vector<NamedFile>& inputs) {
-  const auto same = [](const std::string& a, const std::string& b) {
-    if (a == "-" || b == "-") return a == b;
-    std::error_code error;
-    const auto place = [&](const std::string& file) {
-      return fs::weakly_canonical(fs::absolute(file, error), error);
-    };
-    const fs::path first = place(a), second = place(b);
-    return first == second && (fs::is_regular_file(first, error) || !fs::exists(first, error));
-  };
-  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
-    if (output->file.empty()) continue;
-    for (auto other = outputs.begin(); other != output; ++other) {
-      if (same(output->file, other->file))
-        return bad_value(output->option, "\"" + output->file + "\", as " + other->option + " is",
-                         "another place");
-    }
-    for (const NamedFile& input : inputs) {
-      std::error_code error;
-      if (output->file != "-" && fs::exists(input.file, error) && same(output->file, input.file))
-        return bad_value(output->option, "\"" + output->file + "\", as " + input.option + " is",
-                         "a file that is not read");
-    }
-  }
-  return Ok{};
 }
 
 Result<OutputFile> OutputFile::open(const std::string& file, bool rewind) {
@@ -159,7 +136,7 @@ void OutputFile::discard() {
 Error OutputFile::cannot_write(int reason) {
   reader_gone_ = reason == EPIPE;
   return {
-      ErrorCode::internal, name_ + " cannot be written: " + std::strerror(reason), "-o", name_, {}};
+      ErrorCode::internal, name_ + " cannot be written: " + std::strerror(reason), {}, name_, {}};
 }
 
 Outcome OutputFile::write_to(int descriptor, std::string_view bytes) {

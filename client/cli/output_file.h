@@ -2,12 +2,10 @@
 // used by one thread.
 #pragma once
 
-#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "base/result.h"
 
@@ -58,16 +56,8 @@ Outcome print(const std::string& text);
 // A table for people must not stand among results that are read from standard output.
 Outcome print_table(const std::string& text, bool stdout_is_taken);
 
-// A file by the option that names it; no text where it is not given.
-struct NamedFile {
-  std::string option, file;
-};
-
-// Errors: two outputs go to one place, or an output to a file that is an input.
-Outcome check_outputs(const std::vector<NamedFile>& outputs, const std::vector<NamedFile>& inputs);
-
-// Makes SIGINT and SIGTERM remove the temporary files on their way, and a broken pipe an error
-// instead of a signal.
+// Makes SIGINT, SIGTERM and SIGHUP remove the temporary files on their way (but for one that is
+// made in that moment), and a broken pipe an error instead of a signal.
 void handle_signals();
 
 }  // namespace gonio::cli

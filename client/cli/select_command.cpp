@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -15,10 +14,23 @@
 #include "client/cli/progress.h"
 #include "client/cli/scene_file.h"
 #include "client/cli/select_arguments.h"
+#include "client/cli/select_outputs.h"
 #include "client/cli/select_report.h"
 
 namespace gonio::cli {
 namespace {
+
+// Of a file's name; none of a material as JSON.
+std::string extension_of(const std::string& reference) {
+  const bool json = reference.find('{') != std::string::npos;
+  return json ? std::string() : std::filesystem::path(reference).extension().string();
+}
+
+bool is_of_pairs(const std::string& extension) {
+  constexpr std::array<std::string_view, 6> kPairs{".brdf", ".bsdf", ".dat",
+                                                   ".alta", ".csv",  ".npy"};
+  return std::find(kPairs.begin(), kPairs.end(), extension) != kPairs.end();
+}
 
 // What is selected for: a material as it is, or measured pairs, which `input` holds.
 struct Reference {
@@ -33,14 +45,10 @@ struct Reference {
 
 // Tables that only this machine has travel to a server as pairs.
 Result<Reference> read_reference(const std::string& argument, const SelectArguments& arguments) {
-  constexpr std::array<std::string_view, 6> kPairs{".brdf", ".bsdf", ".dat",
-                                                   ".alta", ".csv",  ".npy"};
   const bool embedded = arguments.connection.server.empty();
-  const bool json = argument.find('{') != std::string::npos;
-  const std::string extension =
-      json ? std::string() : std::filesystem::path(argument).extension().string();
-  const bool pairs = argument == "-" || (extension == ".binary" && !embedded) ||
-                     std::find(kPairs.begin(), kPairs.end(), extension) != kPairs.end();
+  const std::string extension = extension_of(argument);
+  const bool pairs =
+      argument == "-" || (extension == ".binary" && !embedded) || is_of_pairs(extension);
   Reference reference;
   if (pairs) {
     auto input = read_measured(argument, false, arguments.degrees);
@@ -77,73 +85,18 @@ Result<std::vector<NamedSelection>> select_all(const client::Client& client,
   return found;
 }
 
-// A file that is not there shows before the work on the materials before it.
+// A file that is not there shows before the work on the materials before it. A server's names may
+// have dots in them.
 Outcome check_reference(const SceneMaterial& material) {
-  const std::filesystem::path path = material.reference;
+  const std::string& name = material.reference;
+  const std::string extension = extension_of(name);
+  const bool json = name.find('{') != std::string::npos;
+  const bool file = !json && (extension == ".json" || extension == ".binary" ||
+                              is_of_pairs(extension) || name.find('/') != std::string::npos);
   std::error_code ignored;
-  const bool file = material.reference.find('{') == std::string::npos &&
-                    (path.has_extension() || path.has_parent_path());
-  if (!file || std::filesystem::exists(path, ignored)) return Ok{};
-  return of_material(material.name, {ErrorCode::not_found, "no such file: " + path.string(),
-                                     "reference", path.string(), "a file that can be read"});
-}
-
-// Where the results go. Opened before the work: what cannot be written shows before it.
-struct Outputs {
-  std::optional<OutputFile> report, choice;  // the choice of a scene without names
-};
-
-Outcome open_output(const std::string& file, std::optional<OutputFile>& output) {
-  if (file.empty()) return Ok{};
-  auto opened = OutputFile::open(file);
-  if (!opened) return opened.error();
-  output.emplace(std::move(*opened));
-  return Ok{};
-}
-
-std::string file_in(const std::string& folder, const std::string& name) {
-  return (std::filesystem::path(folder) / (name + ".json")).string();
-}
-
-// Of a folder, whether a file can be made in it.
-Outcome try_folder(const std::string& folder, const std::string& name) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  const auto file = OutputFile::open(file_in(folder, name));
-  return file ? Outcome(Ok{}) : file.error();
-}
-
-Result<Outputs> open_outputs(const SelectArguments& arguments, const std::string& first) {
-  const std::string& output = arguments.output;
-  const auto apart =
-      check_outputs({{"--output", output}, {"--report", arguments.report}},
-                    {{"--reference", arguments.reference}, {"--scene", arguments.scene}});
-  if (!apart) return apart.error();
-  Outputs outputs;
-  Outcome opened = open_output(arguments.report, outputs.report);
-  if (opened && first.empty()) opened = open_output(output, outputs.choice);
-  if (opened && !first.empty() && !output.empty()) opened = try_folder(output, first);
-  if (!opened) return opened.error();
-  return outputs;
-}
-
-Outcome write(OutputFile& output, const std::string& text) {
-  if (auto written = output.write(text); !written) return written;
-  return output.commit();
-}
-
-// A choice that is the reference itself is not written: it is where it was.
-Outcome write_all(const SelectArguments& arguments, Outputs& outputs,
-                  const std::vector<NamedSelection>& found) {
-  Outcome written = Ok{};
-  if (outputs.report) written = write(*outputs.report, select_json(found));
-  for (const auto& [name, selection] : found) {
-    const bool wanted = !arguments.output.empty() && selection.choice && selection.choice->material;
-    if (!written || !wanted) continue;
-    if (!name.empty()) written = open_output(file_in(arguments.output, name), outputs.choice);
-    if (written) written = write(*outputs.choice, selection.choice->material->to_json() + "\n");
-  }
-  return written;
+  if (!file || std::filesystem::exists(name, ignored)) return Ok{};
+  return of_material(material.name, {ErrorCode::not_found, "no such file: " + name, "reference",
+                                     name, "a file that can be read"});
 }
 
 Outcome show_table(const SelectArguments& arguments, const std::vector<NamedSelection>& found) {
@@ -168,13 +121,13 @@ int run(SelectArguments& arguments) {
   for (const SceneMaterial& material : *materials) {
     if (auto there = check_reference(material); !there) return fail(there.error());
   }
-  auto outputs = open_outputs(arguments, (*materials)[0].name);
+  auto outputs = SelectOutputs::open(arguments, *materials);
   if (!outputs) return fail(outputs.error());
   auto connection = Connection::open(arguments.connection);
   if (!connection) return fail(connection.error());
   const auto found = select_all(connection->client, *materials, arguments);
   if (!found) return fail(found.error());
-  if (auto written = write_all(arguments, *outputs, *found); !written) return fail(written.error());
+  if (auto written = outputs->write(*found); !written) return fail(written.error());
   if (auto shown = show_table(arguments, *found); !shown) return fail(shown.error());
   const bool all = std::all_of(found->begin(), found->end(),
                                [](const auto& each) { return each.selection.choice.has_value(); });

@@ -19,6 +19,10 @@ class Results : public ::testing::Test {
     write_file(folder_ / "grey.json", R"({"model": "lambertian", "parameters": {"rd": 0.2}})");
     write_file(folder_ / "scene.json",
                R"({"theta_i": [0, 60], "theta_o": [0, 75], "tolerance": 0.6})");
+    write_file(folder_ / "costs.json", R"({"lambertian": 1})");
+    write_file(folder_ / "two.json",
+               R"({"theta_i": [0, 60], "theta_o": [0, 75], "tolerance": 0.6, "materials": {
+                     "gloss": {"reference": "gloss.json"}, "grey": {"reference": "grey.json"}}})");
     ASSERT_EQ(here("gonio evaluate --material gloss.json --deg --with-input --grid "
                    "theta_i=5:75:8,theta_o=0:80:17,phi_o=0:350:36 -o data.csv")
                   .exit_code,
@@ -47,10 +51,13 @@ TEST_F(Results, AnInterruptLeavesNoneOfSeveralFilesBehind) {
 
 TEST_F(Results, AnInputIsNotOverwritten) {
   const std::string data = read_file(folder_ / "data.csv");
+  const std::string gloss = read_file(folder_ / "gloss.json");
   for (const std::string& line :
        {kFit + "-o data.csv", kFit + "--report ./data.csv",
         kSelect + "--reference gloss.json -o gloss.json",
         kSelect + "--reference gloss.json --report scene.json",
+        kSelect + "--reference gloss.json --costs costs.json -o costs.json",
+        std::string("gonio select --scene two.json -o ."),
         std::string("gonio assess --material gloss.json --report gloss.json")}) {
     const auto result = here(line);
     EXPECT_EQ(result.exit_code, 2) << line;
@@ -58,12 +65,14 @@ TEST_F(Results, AnInputIsNotOverwritten) {
     EXPECT_THAT(result.out, IsEmpty()) << line;
   }
   EXPECT_EQ(read_file(folder_ / "data.csv"), data);
+  EXPECT_EQ(read_file(folder_ / "gloss.json"), gloss);
 }
 
 TEST_F(Results, OnePlaceTakesOneResult) {
   for (const std::string& line :
        {kFit + "-o a --report ./a", kFit + "-o - --report -", kFit + "--report a --report a",
         kSelect + "--reference gloss.json -o a --report a",
+        std::string("gonio select --scene two.json -o a --report a/grey.json"),
         std::string("gonio compare --reference data.csv --deg --material gloss.json --slices a.png "
                     "--render a.png")}) {
     const auto result = here(line);
@@ -101,9 +110,6 @@ TEST_F(Results, WhatASelectionCannotWriteShowsBeforeTheWork) {
   write_file(folder_ / "many.json",
              R"({"theta_i": [0, 60], "theta_o": [0, 75], "tolerance": 0.6, "materials": {
                    "a": {"reference": "gloss.json"}, "b": {"reference": "nowhere.binary"}}})");
-  write_file(folder_ / "two.json",
-             R"({"theta_i": [0, 60], "theta_o": [0, 75], "tolerance": 0.6, "materials": {
-                   "a": {"reference": "gloss.json"}, "b": {"reference": "grey.json"}}})");
   const std::string hurried = "gonio select --deadline 0.001 --scene ";
   const auto missing = here(hurried + "many.json");
   EXPECT_EQ(missing.exit_code, 2);
@@ -115,7 +121,10 @@ TEST_F(Results, WhatASelectionCannotWriteShowsBeforeTheWork) {
     EXPECT_EQ(result.exit_code, 1) << line;
     EXPECT_THAT(result.err, HasSubstr("cannot be written")) << line;
   }
-  EXPECT_EQ(here(hurried + "two.json -o new; ls -A new").out, "");
+  EXPECT_EQ(here(hurried + "two.json -o new --report new/report; ls -A new").out, "");
+  // Names of a server's materials may have dots in them.
+  EXPECT_THAT(here(hurried + "scene.json --server 127.0.0.1:1 --reference gold.v2").err,
+              ::testing::Not(HasSubstr("no such file")));
 }
 
 }  // namespace
