@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -31,7 +33,15 @@ Error taken(const std::string& name) {
                    "a name that no stored material has", ErrorCode::already_exists);
 }
 
-constexpr const char* kTemporary = ".put-";  // not loaded: neither .json nor .binary
+// Of a file that is not there as a whole yet; not loaded, for it is neither .json nor .binary.
+constexpr std::string_view kTemporary = ".put-", kPattern = "XXXXXX";
+
+// Is it a name that mkostemp() makes of these?
+bool is_temporary(std::string_view name) {
+  const std::string_view end = name.substr(std::min(kTemporary.size(), name.size()));
+  return name.substr(0, kTemporary.size()) == kTemporary && end.size() == kPattern.size() &&
+         std::all_of(end.begin(), end.end(), [](unsigned char c) { return std::isalnum(c) != 0; });
+}
 
 // 0, or errno.
 int write_all(int descriptor, std::string_view content) {
@@ -63,14 +73,15 @@ void remove_leftovers(const fs::path& folder) {
   for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
        entry.increment(ignored)) {
     std::error_code failed;
-    const bool left = entry->path().filename().string().rfind(kTemporary, 0) == 0 &&
-                      entry->is_regular_file(failed) && now - entry->last_write_time(failed) > kOld;
+    const bool left = is_temporary(entry->path().filename().string()) &&
+                      fs::is_regular_file(entry->symlink_status(failed)) &&
+                      now - entry->last_write_time(failed) > kOld;
     if (left && !failed) fs::remove(entry->path(), failed);
   }
 }
 
 Result<NewFile> NewFile::create(const fs::path& folder, std::string_view content) {
-  std::string name = folder / (std::string(kTemporary) + "XXXXXX");
+  std::string name = folder / (std::string(kTemporary) + std::string(kPattern));
   const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
   if (descriptor < 0) return cannot_store("no file can be created", errno);
   NewFile file(folder, name);

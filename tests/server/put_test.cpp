@@ -159,15 +159,16 @@ TEST_F(Put, GoesIntoTheFolderAsAWhole) {
 TEST_F(Put, LeftoversOfAKilledServerGoAfterADay) {
   const TempFolder folder;
   const auto now = std::filesystem::file_time_type::clock::now();
-  for (const auto& [name, hours] : {std::pair(".put-old", 25), {".put-new", 1}, {"old.txt", 25}}) {
-    std::ofstream(folder / name) << "half a file";
+  for (const auto& [name, hours] :
+       {std::pair(".put-oldOLD", 25), {".put-newNEW", 1}, {".put-a.json", 25}, {"old.txt", 25}}) {
+    std::ofstream(folder / name) << R"({"model": "lambertian"})";
     std::filesystem::last_write_time(folder / name, now - std::chrono::hours(hours));
   }
   options_.materials = folder / "";
   start(options_);
-  EXPECT_FALSE(std::filesystem::exists(folder / ".put-old"));
-  EXPECT_TRUE(std::filesystem::exists(folder / ".put-new"));
-  EXPECT_TRUE(std::filesystem::exists(folder / "old.txt"));
+  EXPECT_FALSE(std::filesystem::exists(folder / ".put-oldOLD"));
+  for (const char* other : {".put-newNEW", ".put-a.json", "old.txt"})
+    EXPECT_TRUE(std::filesystem::exists(folder / other)) << other;
 }
 
 TEST_F(Put, DoesNotReplaceAFileThatCameMeanwhile) {
