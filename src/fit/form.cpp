@@ -114,7 +114,7 @@ Counts counts_of(Columns columns, bool alone) {
       return {2, 1};
     case Columns::schlick:
       return {2, 2};
-    // Its own diffuse term only where there is no base.
+    // Its own diffuse term only where it stands alone.
     case Columns::ashikhmin_shirley:
       return alone ? Counts{3, 3} : Counts{2, 2};
   }

@@ -9,7 +9,7 @@
 namespace gonio::fit {
 namespace {
 
-// Under a base a lobe's own diffuse term is held at 0, and no result.
+// In a sum a lobe's own diffuse term is held at 0, and no result.
 bool is_held(const FormLobe& lobe, const Parameter& p) {
   return lobe.columns == FormLobe::Columns::ashikhmin_shirley && lobe.coefficient_count < 3 &&
          p.name == "rd";

@@ -114,8 +114,10 @@ Says says_of(const Eigen::MatrixXd& slopes, Eigen::Index number,
   };
   bool any_held = false, any_free = false;
   Says says;
+  // The scale of a lobe without height follows its shape by next to nothing.
+  const double nothing = 1e-7 * slopes.row(number).cwiseAbs().maxCoeff();
   for (Eigen::Index j = 0; j < slopes.cols(); ++j) {
-    if (slopes(number, j) == 0) continue;
+    if (std::abs(slopes(number, j)) <= nothing) continue;
     const bool is_free = has(free, j);
     any_free = any_free || is_free;
     any_held = any_held || !is_free;

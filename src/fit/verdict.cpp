@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "fit/same_place.h"
+
 namespace gonio::fit {
 namespace {
 
@@ -91,45 +93,6 @@ Reason invisible(const Form& form, std::span<const double> parameters, int chann
   return {};
 }
 
-// The first shape by which two ends are apart; none if they are the same place.
-std::optional<std::size_t> apart(const Form& form, std::span<const double> a,
-                                 std::span<const double> b) {
-  for (std::size_t i = 0; i < form.shapes.size(); ++i) {
-    const ShapeParameter& shape = form.shapes[i];
-    const auto place = [&](double p) { return shape.scale.to_search(std::max(p, shape.lower)); };
-    const double range = place(shape.scan_upper) - place(shape.scan_lower);
-    if (std::abs(place(a[i]) - place(b[i])) > 0.1 * range) return i;
-  }
-  return {};
-}
-
-// The shapes of two lobes in each other's place; the lobes are of one kind.
-std::vector<double> exchanged(const Form& form, std::span<const double> shapes, std::size_t one,
-                              std::size_t other) {
-  std::vector<double> to(shapes.begin(), shapes.end());
-  std::vector<std::size_t> of_one, of_other;
-  for (std::size_t i = 0; i < form.shapes.size(); ++i) {
-    if (form.shapes[i].lobe == one) of_one.push_back(i);
-    if (form.shapes[i].lobe == other) of_other.push_back(i);
-  }
-  for (std::size_t k = 0; k < of_one.size(); ++k) std::swap(to[of_one[k]], to[of_other[k]]);
-  return to;
-}
-
-// Also where two lobes of one kind have changed places: that is the same material.
-bool same_place(const Form& form, std::span<const double> a, std::span<const double> b) {
-  if (!apart(form, a, b)) return true;
-  const auto& lobes = form.lobes;
-  for (std::size_t i = 0; i < lobes.size(); ++i) {
-    for (std::size_t j = i + 1; j < lobes.size(); ++j) {
-      const bool alike = lobes[i].words.model == lobes[j].words.model &&
-                         lobes[i].words.parameters == lobes[j].words.parameters;
-      if (alike && !apart(form, exchanged(form, a, i, j), b)) return true;
-    }
-  }
-  return false;
-}
-
 // Starts that end nearly as low, but elsewhere: another sample of the material could prefer them.
 Reason other_basin(const Form& form, const Certificate& report) {
   const auto best =
@@ -137,11 +100,11 @@ Reason other_basin(const Form& form, const Certificate& report) {
                        [](const Start& a, const Start& b) { return a.objective < b.objective; });
   for (const Start& start : report.starts) {
     if (start.objective > kNearly * best->objective) continue;
-    if (same_place(form, start.to, best->to)) continue;
-    const std::size_t i = *apart(form, start.to, best->to);
+    const auto difference = apart(form, best->to, start.to);
+    if (!difference) continue;
     return "another optimum is worse by " + percent(start.objective / best->objective - 1) +
-           " only: " + form.shapes[i].field + " at " + number(best->to[i]) + " and at " +
-           number(start.to[i]);
+           " only: " + form.shapes[difference->shape].field + " at " + number(difference->at) +
+           " and at " + number(difference->other);
   }
   return {};
 }

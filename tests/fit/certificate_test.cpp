@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "fit/albedo.h"
@@ -88,14 +89,21 @@ TEST(Certificate, SaysWhatTheDataCannotTellApart) {
 
 // Nor is a colour that ends within rounding of its bound known exactly.
 TEST(Certificate, ErrorsOfNothingAreAtABound) {
-  MaterialSpec truth = kTruth;
-  truth.diffuse->parameters["rd"] = Numbers{0};
-  const auto result = fit::fit(data_of(truth, scattered_pairs(2000, 1)), form_of(truth), {});
-  ASSERT_TRUE(result.ok());
-  const auto& rd = result->certificate.parameters.front();
-  EXPECT_EQ(rd.field, "diffuse.parameters.rd");
-  EXPECT_LT(rd.value, 1e-6);
-  EXPECT_TRUE(rd.at_bound || rd.standard_error > 0) << rd.value;
+  MaterialSpec no_base = kTruth, no_lobe = kTruth;
+  no_base.diffuse->parameters["rd"] = Numbers{0};
+  no_lobe.specular[0].parameters["scale"] = Numbers{0};
+  for (const auto& [truth, field] : {std::pair(no_base, "diffuse.parameters.rd"),
+                                     std::pair(no_lobe, "specular[0].parameters.scale")}) {
+    const auto result = fit::fit(data_of(truth, scattered_pairs(2000, 1)), form_of(truth), {});
+    ASSERT_TRUE(result.ok());
+    const auto& all = result->certificate.parameters;
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.field == field; });
+    ASSERT_NE(found, all.end());
+    EXPECT_LT(found->value, 1e-6);
+    EXPECT_TRUE(found->at_bound || found->standard_error > 1e-10)
+        << field << " " << found->value << " +- " << found->standard_error;
+  }
 }
 
 // An isotropic material's two roughnesses are one parameter: that they are equal is no doubt.
