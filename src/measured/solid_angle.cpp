@@ -13,7 +13,7 @@ using Direction = std::array<double, 3>;
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kRings = 180;  // from the normal to the horizon, half a degree each
-constexpr int kFewestRings = 30;
+constexpr double kFewestRings = 30;
 constexpr double kFineGroups = 200;         // as many grids of half a degree take a second or two
 constexpr double kReach = 0.2610523844401;  // the chord of 15 degrees
 constexpr std::size_t kLeastWo = 8;
@@ -144,10 +144,14 @@ std::vector<double> angles_on(int rings, std::span<const double> directions) {
   return angles;
 }
 
-// A grid's directions grow with the square of its rings.
-int rings_for(std::size_t groups) {
-  const double part = std::sqrt(kFineGroups / static_cast<double>(groups));
-  return std::clamp(static_cast<int>(kRings * part), kFewestRings, kRings);
+// A grid's directions are 2.5 times the square of its rings.
+int rings_for(const std::vector<Group>& groups) {
+  constexpr double kPerWo = 8;  // directions of the grid, in the densest group
+  std::size_t most = 0;
+  for (const Group& group : groups) most = std::max(most, group.members.size());
+  const double part = std::sqrt(kFineGroups / static_cast<double>(groups.size()));
+  const double least = std::sqrt(kPerWo * static_cast<double>(most) / 2.5);
+  return static_cast<int>(std::clamp(std::max(kRings * part, least), kFewestRings, double{kRings}));
 }
 
 }  // namespace
@@ -161,7 +165,7 @@ std::vector<double> pair_measures(std::span<const double> wi, std::span<const do
   const std::size_t pairs = wi.size() / 3;
   if (groups.empty() || groups.size() * kLeastWo > pairs || wo.size() != wi.size()) return {};
   const std::vector<double> incident = incident_measures(groups);
-  const int rings = rings_for(groups.size());
+  const int rings = rings_for(groups);
   std::vector<double> measures(pairs, 0);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     std::vector<double> outgoing;
