@@ -65,8 +65,8 @@ std::string parameters_of(const FitCertificate& certificate) {
 std::string doubts_of(const FitCertificate& certificate) {
   std::string text;
   for (const auto& indistinct : certificate.indistinct) {
-    text += "- The data hardly tell apart: " + joined(indistinct.fields, ", ") +
-            " (eigenvalue " + number(indistinct.eigenvalue, "%.2g") + ").\n";
+    text += "- The data hardly tell apart: " + joined(indistinct.fields, ", ") + " (eigenvalue " +
+            number(indistinct.eigenvalue, "%.2g") + ").\n";
   }
   for (const auto& profile : certificate.profiles) {
     text += "- `" + profile.field + "` can be from " + number(profile.lower) + " to " +
