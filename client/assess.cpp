@@ -8,7 +8,7 @@
 #include "client/repeated.h"
 #include "client/state.h"
 #include "gonio/v1/assess.pb.h"
-#include "wire/bytes.h"
+#include "wire/message.h"
 
 namespace gonio::client {
 namespace {
@@ -112,14 +112,11 @@ Result<Assessment> assessment_of(const v1::AssessResponse& response) {
 Result<Assessment> Client::assess(const Material& material, const AssessOptions& options) const {
   const auto request = request_of(material, options);
   if (!request) return request.error();
-  const grpc::Slice slice(request->SerializeAsString());
   Patience patience(state_->options, options.deadline);
-  auto bytes = call(state_->peer, kAssessMethod, {&slice, 1}, patience);
+  auto bytes = call(state_->peer, kAssessMethod, wire::to_buffer(*request), patience);
   if (!bytes) return bytes.error();
   v1::AssessResponse response;
-  const wire::SliceBytes content = wire::SliceBytes::of(*bytes);
-  if (!response.ParseFromString(content.text(0, content.size())))
-    return malformed(state_->peer, "it cannot be read");
+  if (!wire::from_buffer(*bytes, response)) return malformed(state_->peer, "it cannot be read");
   return assessment_of(response);
 }
 

@@ -33,6 +33,7 @@ Result<v1::ChartRequest> request_of(const ChartOptions& options) {
   request.set_pairs_at_a_place(options.pairs_at_a_place);
   request.set_seed(options.seed);
   if (!options.data) return request;
+  if (auto good = check_size(*options.data); !good) return good.error();
   if (!options.data->measured) {
     fill(*options.data, *request.mutable_pairs());
   } else if (!request.mutable_measured()->ParseFromString(options.data->measured->wire())) {

@@ -6,7 +6,6 @@
 #include <grpcpp/support/channel_arguments.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "client/address.h"

@@ -117,10 +117,12 @@ struct FitParameter {
   double lower = 0, upper = 0;  // the 95 % interval
 };
 
-// Parameters that can move together, and the data do not mind.
+// Parameters that can move together, and the data hardly mind.
 struct FitIndistinct {
   std::vector<std::string> fields;
-  double eigenvalue = 0;  // of the curvature scaled to a unit diagonal
+  // Of the curvature scaled to a unit diagonal; for two numbers whose estimates go together,
+  // 1 - |correlation|.
+  double eigenvalue = 0;
 };
 
 // Where a parameter can be, the others following, with an objective within 1 % of the best.

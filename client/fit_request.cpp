@@ -1,6 +1,7 @@
 // What Client::fit sends.
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 #include "client/fit_convert.h"
@@ -64,6 +65,15 @@ std::optional<Objective> objective_of(std::string_view name) {
   return std::nullopt;
 }
 
+Outcome check_size(const FitData& data, std::size_t limit) {
+  const std::size_t bytes = data.wi.size_bytes() + data.wo.size_bytes() + data.values.size_bytes() +
+                            data.weights.size_bytes();
+  if (data.measured || bytes <= limit) return Ok{};
+  return bad_value("the size of pairs", std::to_string(bytes) + " bytes",
+                   "fewer pairs in one call, of at most " + std::to_string(limit) + " bytes",
+                   ErrorCode::resource_exhausted);
+}
+
 void fill(const FitData& from, gonio::v1::MeasuredPairs& to) {
   to.mutable_wi()->Assign(from.wi.begin(), from.wi.end());
   to.mutable_wo()->Assign(from.wo.begin(), from.wo.end());
@@ -74,6 +84,7 @@ void fill(const FitData& from, gonio::v1::MeasuredPairs& to) {
 
 Result<gonio::v1::FitRequest> fit_request(const FitData& data, const Material& form,
                                           const FitOptions& options) {
+  if (auto good = check_size(data); !good) return good.error();
   v1::FitRequest request;
   bool readable = request.mutable_form()->ParseFromString(form.wire());
   if (data.measured) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -7,6 +8,7 @@
 #include "client/convert.h"
 #include "client/state.h"
 #include "gonio/v1/sample.pb.h"
+#include "wire/message.h"
 
 namespace gonio::client {
 namespace {
@@ -68,14 +70,13 @@ Result<Albedos> integrate_all(const Peer& peer, const RequestHead& head, Patienc
   do {  // without directions too: the material is checked, and the report says what it is
     const auto request = directions_of(wi, first);
     const std::size_t directions = std::min(kDirections, wi.size() / 3 - first);
-    const grpc::Slice slice(std::string(head.with_material()) + request.SerializeAsString());
-    auto bytes = call(peer, kIntegrateMethod, {&slice, 1}, patience);
+    // The head goes as the bytes it is: that is how the server knows a material again.
+    const std::array slices{grpc::Slice(std::string(head.with_material())),
+                            grpc::Slice(request.SerializeAsString())};
+    auto bytes = call(peer, kIntegrateMethod, {slices.data(), slices.size()}, patience);
     if (!bytes) return bytes.error();
     gonio::v1::IntegrateResponse answer;
-    const wire::SliceBytes content = wire::SliceBytes::of(*bytes);
-    if (!answer.ParseFromString(content.text(0, content.size()))) {
-      return malformed(peer, "it cannot be read");
-    }
+    if (!wire::from_buffer(*bytes, answer)) return malformed(peer, "it cannot be read");
     if (auto added = append(peer, answer, directions, albedos); !added) return added.error();
     first += directions;
   } while (first < wi.size() / 3);

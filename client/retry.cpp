@@ -40,11 +40,14 @@ Error named(const grpc::Status& status, const std::string& peer) {
     default:
       error.message = peer + " answered: " + status.error_message();
   }
-  // Of no use to send again. gRPC has no other mark of it than these words.
+  // With a bound it is the request that is too large, and the caller's to change: programs end with
+  // another exit status than where a server is too busy. gRPC has no other mark of it than these
+  // words, whichever end refuses.
   const bool large = status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED &&
                      status.error_message().find("larger than max") != std::string::npos;
   if (large) {
-    error.allowed = "fewer pairs or bins in one call, or a server with a larger --max-message-mb";
+    error.allowed =
+        "fewer pairs or bins in one call; a server takes more with a larger --max-message-mb";
     error.message += "; allowed: " + error.allowed;
   }
   return error;

@@ -8,7 +8,8 @@
 
 namespace gonio::client {
 
-// Errors: a material that cannot be read; numbers for which 0 would mean the default.
+// Errors: a material that cannot be read; too many pairs; numbers for which 0 would mean the
+// default.
 Result<gonio::v1::SelectRequest> select_request(const SelectReference& reference,
                                                 const SelectScene& scene,
                                                 const SelectOptions& options);

@@ -118,6 +118,9 @@ Result<SelectLights> lights_of(std::string_view name) {
 Result<v1::SelectRequest> select_request(const SelectReference& reference, const SelectScene& scene,
                                          const SelectOptions& options) {
   if (auto good = check(options); !good) return good.error();
+  if (const auto* data = std::get_if<FitData>(&reference)) {
+    if (auto good = check_size(*data); !good) return good.error();
+  }
   v1::SelectRequest request;
   const bool readable =
       std::visit([&](const auto& given) { return fill(given, request); }, reference);

@@ -31,8 +31,7 @@ Outcome AssessCall::enqueue(const grpc::ByteBuffer& buffer) {
   auto request = decode_assess_request(buffer);
   if (!request) return request.error();
   auto material = background_.backend().materials.resolve(
-      request->has_material() ? std::optional(request->material().SerializeAsString())
-                              : std::nullopt);
+      request->has_material() ? std::optional(wire::to_bytes(request->material())) : std::nullopt);
   if (!material) return material.error();
   material_ = std::move(*material);
   options_ = assess_options(*request);

@@ -19,6 +19,8 @@ BackgroundWork::BackgroundWork(const Backend& backend, grpc::CallbackServerConte
 
 Outcome BackgroundWork::submit(std::size_t bytes, std::function<void()> run) {
   charge_ = backend_.memory.take(bytes);
+  if (charge_ && backend_.fits.queue.submit({std::move(run), [this] { return is_over(); }}))
+    return Ok{};
   const std::string full =
       charge_
           ? "queue of fits, assessments, selections and charts is full: it takes " +
@@ -26,8 +28,6 @@ Outcome BackgroundWork::submit(std::size_t bytes, std::function<void()> run) {
           : "memory is full: requests and answers hold " + std::to_string(backend_.memory.held()) +
                 " of " + std::to_string(backend_.memory.limit()) + " bytes, and this one needs " +
                 std::to_string(bytes);
-  if (charge_ && backend_.fits.queue.submit({std::move(run), [this] { return is_over(); }}))
-    return Ok{};
   context_.AddTrailingMetadata(wire::kRetryPushback, kFitPushbackMilliseconds);
   return Error{
       ErrorCode::resource_exhausted,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/material_impl.h"
+#include "wire/message.h"
 
 namespace gonio {
 namespace {
@@ -47,7 +48,7 @@ Result<fit::Data> data_of(const v1::MeasuredPairs& pairs) {
 
 Result<std::shared_ptr<const MeasuredTable>> table_of(const v1::Material& measured,
                                                       const Materials& materials) {
-  auto material = materials.resolve(measured.SerializeAsString());
+  auto material = materials.resolve(wire::to_bytes(measured));
   if (!material) {
     Error error = material.error();
     if (error.field.rfind("material.", 0) != 0) return error;

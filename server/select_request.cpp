@@ -6,6 +6,7 @@
 
 #include "server/decode_request.h"
 #include "server/measured_pairs.h"
+#include "wire/message.h"
 #include "wire/words.h"
 
 namespace gonio {
@@ -98,7 +99,7 @@ Result<SelectTask> select_task(v1::SelectRequest request, const Materials& mater
   if (!options) return options.error();
   SelectTask task{std::move(*scene), std::move(*options), std::nullopt, {}, 0};
   if (request.has_material()) {
-    auto material = materials.resolve(request.material().SerializeAsString());
+    auto material = materials.resolve(wire::to_bytes(request.material()));
     if (!material) return material.error();
     task.material = std::move(*material);
     task.bytes = memory_of(task.material->material().channels(), task.scene, task.options);

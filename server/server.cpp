@@ -17,6 +17,7 @@
 #include "server/configure.h"
 #include "server/materials.h"
 #include "server/service.h"
+#include "wire/message.h"
 
 namespace gonio {
 namespace {
@@ -52,7 +53,7 @@ Outcome check(const ServerOptions& options) {
     return bad_value("threads", std::to_string(options.threads),
                      "1 to " + std::to_string(kMaxThreads) + ", or 0 for all");
   }
-  constexpr std::size_t kLeast = std::size_t{64} << 10, kMost = std::size_t{1} << 30;
+  constexpr std::size_t kLeast = std::size_t{64} << 10, kMost = wire::kLargestMessage;
   if (options.max_message_bytes < kLeast || options.max_message_bytes > kMost) {
     return bad_value("max_message_bytes", std::to_string(options.max_message_bytes),
                      std::to_string(kLeast) + " to " + std::to_string(kMost));

@@ -78,7 +78,7 @@ left_out=(
   '^AssessPlanted\.|/AssessModel\.Passes'                   # assessments, of which there are enough at the ends of ranges
   '^Certificate\.(Intervals|HoldsOnFresh|BoundsHold)'       # how often of a hundred
   '^MeasuredMaterials\.Are|^PublishedParameters\.'          # fits and errors of millions of cells
-  '^Choice\.(Larger|Rounds|TheFront|Takes|Sees|IsTheSame)'  # selections; those that others make are like them
+  '^Choice\.(Larger|Rounds|TheFront|Takes|Sees|IsTheSame)'  # selections; the cases that stay make such ones too
 )
 
 # The folders whose tests have memory and threads to get wrong; each has a target that builds its programs.
@@ -104,7 +104,7 @@ run_step() {
       # libraries: the server's and the client's tests leave what memcpy, free and their like touch unchecked, from our code
       # too, for the sanitizer cannot tell the two apart. Nor do they report threads that nobody joined: gRPC ends on threads of
       # its own, in the middle of which a program may leave; of our threads none can, for a std::thread ends the program if
-      # it is not joined. No other report is suppressed.
+      # it is neither joined nor detached. No other report is suppressed.
       export TSAN_OPTIONS=second_deadlock_stack=1
       sanitize tsan engine wire
       # A fit, like a selection and a chart, keeps to the thread that calls it; several run at once.

@@ -65,8 +65,8 @@ std::string parameters_of(const FitCertificate& certificate) {
 std::string doubts_of(const FitCertificate& certificate) {
   std::string text;
   for (const auto& indistinct : certificate.indistinct) {
-    text += "- The data hardly tell apart: " + joined(indistinct.fields, ", ") +
-            " (relative curvature " + number(indistinct.eigenvalue, "%.2g") + ").\n";
+    text += "- The data hardly tell apart: " + joined(indistinct.fields, ", ") + " (eigenvalue " +
+            number(indistinct.eigenvalue, "%.2g") + ").\n";
   }
   for (const auto& profile : certificate.profiles) {
     text += "- `" + profile.field + "` can be from " + number(profile.lower) + " to " +
@@ -76,6 +76,11 @@ std::string doubts_of(const FitCertificate& certificate) {
   }
   if (!certificate.active_bounds.empty())
     text += "- At a bound: " + joined(certificate.active_bounds, ", ") + ".\n";
+  if (!certificate.indistinct.empty()) {
+    text +=
+        "\nAn eigenvalue is one of the curvature scaled to a unit diagonal; for two numbers whose "
+        "estimates go together, 1 - |correlation|.\n";
+  }
   return text.empty() ? text : "\nWhat is not certain:\n\n" + text;
 }
 

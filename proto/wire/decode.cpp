@@ -4,6 +4,7 @@
 #include "wire/codec.h"
 #include "wire/fields.h"
 #include "wire/material_size.h"
+#include "wire/message.h"
 #include "wire/numbers.h"
 #include "wire/scan.h"
 
@@ -66,7 +67,7 @@ Result<Decoded> decode_range(const SliceBytes& bytes, Range range) {
   if (!message.ParseFromString(bytes.text(range.begin, range.size())))
     return malformed(message.GetTypeName());
   message.DiscardUnknownFields();
-  const SliceBytes canonical({grpc::Slice(message.SerializeAsString())});
+  const SliceBytes canonical({grpc::Slice(to_bytes(message))});
   Decoded again;
   if (scan(canonical, all_of(canonical), again)) return again;
   return malformed(message.GetTypeName());

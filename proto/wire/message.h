@@ -6,10 +6,15 @@
 #include <grpcpp/impl/codegen/proto_utils.h>
 #include <grpcpp/support/byte_buffer.h>
 
+#include <cstddef>
 #include <string>
 
 namespace gonio::wire {
 
+// In bytes: what a server can be told to take. Protobuf itself ends at twice this.
+inline constexpr std::size_t kLargestMessage = std::size_t{1} << 30;
+
+// Of a message of no more than kLargestMessage.
 template <class Message>
 grpc::ByteBuffer to_buffer(const Message& message) {
   grpc::ByteBuffer buffer;

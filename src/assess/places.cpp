@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "assess/place_pairs.h"
 #include "assess/random_directions.h"

@@ -44,7 +44,7 @@ TEST_F(Results, AnInterruptLeavesNoneOfSeveralFilesBehind) {
       here("mkdir out; " GONIO_PROGRAM
            " fit --data data.csv --deg --model all --lobes 2 --anisotropic --starts 100 --polish "
            "-o out/m.json --report out/r.json --report out/r.md & pid=$!; "
-           "until [ $(ls -A out | wc -l) = 3 ]; do sleep 0.02; done; "
+           "while kill -0 $pid && [ $(ls -A out | wc -l) != 3 ]; do sleep 0.02; done; "
            "kill -TERM $pid; wait $pid; echo $?; ls -A out");
   EXPECT_EQ(result.out, "143\n") << result.err;
 }

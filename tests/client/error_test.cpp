@@ -5,7 +5,6 @@
 #include <chrono>
 #include <limits>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "client/client.h"

@@ -5,7 +5,9 @@
 #include <atomic>
 #include <chrono>
 #include <thread>
+#include <utility>
 
+#include "client/fit_convert.h"
 #include "client/fit_fixture.h"
 #include "effort.h"
 
@@ -19,6 +21,44 @@ using gonio::testing::WorkClock;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using FitLimits = FitFixture;
+
+// A fit on a thread of its own that goes on until it is stopped.
+class LongFit {
+ public:
+  LongFit(client::Client client, const Measured& measured)
+      : client_(std::move(client)), thread_([this, &measured] { run(measured); }) {}
+  ~LongFit() { end(); }
+  LongFit(const LongFit&) = delete;
+  LongFit& operator=(const LongFit&) = delete;
+
+  // Waits until the server speaks of it.
+  void wait_for_word() const {
+    while (!heard_ && !over_) std::this_thread::sleep_for(milliseconds(5));
+    EXPECT_TRUE(heard_);
+  }
+  void end() {
+    stop_ = true;
+    if (thread_.joinable()) thread_.join();
+  }
+
+ private:
+  void run(const Measured& measured) {
+    client::FitOptions slow;
+    slow.polish = true;
+    slow.starts = 100;
+    client::FitWatch watch;
+    watch.progress = [this](const auto&) { heard_ = true; };
+    watch.stop = [this] { return stop_.load(); };
+    const auto result = client_.fit(measured.data(), form(), slow, watch);
+    over_ = true;
+    ASSERT_FALSE(result.ok());
+    EXPECT_EQ(result.error().code, ErrorCode::cancelled) << result.error().message;
+  }
+
+  client::Client client_;
+  std::atomic<bool> heard_{false}, stop_{false}, over_{false};
+  std::thread thread_;
+};
 
 TEST_F(FitLimits, EndsSoonWhenItIsCancelled) {
   start_with([](ServerOptions& options) { options.fit_threads = 1; });
@@ -78,20 +118,9 @@ TEST_F(FitLimits, IsRefusedWhereTooManyWait) {
     options.max_fits = 2;
   });
   const Measured measured(100'000 / kSlower);
-  std::atomic<int> heard{0};
-  std::atomic<bool> stop{false};
-  const auto wait_for_end = [&] {
-    client::FitOptions slow;
-    slow.polish = true;
-    slow.starts = 100;
-    client::FitWatch watch;
-    bool said = false;
-    watch.progress = [&](const auto&) { heard += std::exchange(said, true) ? 0 : 1; };
-    watch.stop = [&] { return stop.load(); };
-    return connect("tcp").fit(measured.data(), form(), slow, watch);
-  };
-  std::thread first(wait_for_end), second(wait_for_end);
-  while (heard < 2) std::this_thread::sleep_for(milliseconds(5));
+  LongFit first(connect("tcp"), measured), second(connect("tcp"), measured);
+  first.wait_for_word();
+  second.wait_for_word();
   client::ClientOptions impatient;
   impatient.max_retries = 0;
   const auto refused = connect("tcp", impatient).fit(measured.data(), form());
@@ -99,9 +128,8 @@ TEST_F(FitLimits, IsRefusedWhereTooManyWait) {
   EXPECT_EQ(refused.error().code, ErrorCode::resource_exhausted);
   EXPECT_THAT(refused.error().message,
               HasSubstr("queue of fits, assessments, selections and charts is full"));
-  stop = true;
-  first.join();
-  second.join();
+  first.end();
+  second.end();
   const Measured little(50);
   EXPECT_TRUE(connect("tcp").fit(little.data(), client::Material::model("lambertian")).ok());
 }
@@ -112,23 +140,13 @@ TEST_F(FitLimits, MemoryThatIsFullIsSaidToBe) {
     server.memory_quota_bytes = server.max_message_bytes = std::size_t{16} << 20;
   });
   const Measured measured(20'000 / kSlower);
-  std::atomic<bool> heard{false}, stop{false};
-  std::thread first([&] {
-    client::FitOptions slow;
-    slow.polish = true;
-    slow.starts = 100;
-    client::FitWatch watch;
-    watch.progress = [&](const auto&) { heard = true; };
-    watch.stop = [&] { return stop.load(); };
-    return connect("tcp").fit(measured.data(), form(), slow, watch);
-  });
-  while (!heard) std::this_thread::sleep_for(milliseconds(5));
+  LongFit first(connect("tcp"), measured);
+  first.wait_for_word();
   client::ClientOptions impatient;
   impatient.max_retries = 0;
   const Measured little(50);
   const auto refused = connect("tcp", impatient).fit(little.data(), form());
-  stop = true;
-  first.join();
+  first.end();
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, ErrorCode::resource_exhausted);
   EXPECT_THAT(refused.error().message, HasSubstr("memory is full: requests and answers hold"));
@@ -143,6 +161,20 @@ TEST_F(FitLimits, ARequestThatIsTooLargeSaysWhatIsAllowed) {
   EXPECT_EQ(refused.error().code, ErrorCode::resource_exhausted);
   EXPECT_THAT(refused.error().message, HasSubstr("larger than max"));
   EXPECT_THAT(refused.error().allowed, HasSubstr("fewer pairs"));
+}
+
+// Before any of it is copied: the limit is a GiB.
+TEST(FitData, OfMoreThanAMessageHoldsIsRefused) {
+  const Measured measured(10);  // of 10 numbers each, 4 bytes
+  EXPECT_TRUE(client::check_size(measured.data(), 400).ok());
+  const auto refused = client::check_size(measured.data(), 399);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::resource_exhausted);
+  EXPECT_EQ(refused.error().value, "400 bytes");
+  EXPECT_THAT(refused.error().allowed, HasSubstr("fewer pairs in one call, of at most 399 bytes"));
+  client::FitData stored = measured.data();
+  stored.measured = client::Material::named("nickel");
+  EXPECT_TRUE(client::check_size(stored, 399).ok());
 }
 
 TEST_F(FitLimits, LeavesEvaluationAlone) {

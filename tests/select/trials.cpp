@@ -10,15 +10,13 @@
 namespace gonio::testing {
 namespace {
 
-using Random = std::mt19937_64;
+Material material_of(const MaterialSpec& spec) { return *Material::create(spec); }
+
+}  // namespace
 
 double between(Random& random, double lower, double upper) {
   return std::uniform_real_distribution<double>(lower, upper)(random);
 }
-
-Material material_of(const MaterialSpec& spec) { return *Material::create(spec); }
-
-}  // namespace
 
 select::Scene scene_to(double degrees, double tolerance) {
   const select::Range range{0, degrees * std::numbers::pi / 180};

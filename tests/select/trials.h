@@ -10,10 +10,13 @@
 
 namespace gonio::testing {
 
+using Random = std::mt19937_64;
+double between(Random& random, double lower, double upper);  // evenly
+
 // A kind of reference: what a selection should call it, and a material of random numbers.
 struct Truth {
   std::string name;
-  MaterialSpec (*draw)(std::mt19937_64& random);
+  MaterialSpec (*draw)(Random& random);
 };
 inline void PrintTo(const Truth& truth, std::ostream* out) { *out << truth.name; }
 const std::vector<Truth>& truths();

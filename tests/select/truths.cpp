@@ -1,5 +1,4 @@
 // The materials of the trials: drawn at random, each a clear case of its model.
-#include <random>
 #include <utility>
 
 #include "select/trials.h"
@@ -8,11 +7,6 @@ namespace gonio::testing {
 namespace {
 
 using Numbers = std::vector<double>;
-using Random = std::mt19937_64;
-
-double between(Random& random, double lower, double upper) {
-  return std::uniform_real_distribution<double>(lower, upper)(random);
-}
 
 Numbers colour(Random& random, double lower, double upper) {
   Numbers rgb;

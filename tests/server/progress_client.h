@@ -4,6 +4,8 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 #include "server/harness.h"
 

@@ -70,7 +70,7 @@ TEST(SelectCall, IsTheCoresOwnSelection) {
   ASSERT_TRUE(answer.status.ok()) << answer.status.error_message();
   ASSERT_TRUE(answer.result);
   EXPECT_TRUE(answer.result->has_choice());
-  EXPECT_EQ(answer.stages.count("queued") + answer.stages.count("reference"), 1U);
+  EXPECT_GE(answer.stages.count("queued") + answer.stages.count("reference"), 1U);
   const auto own = select::choose(core_ggx(), core_scene(), core_options());
   ASSERT_TRUE(own.ok()) << own.error().message;
   EXPECT_TRUE(google::protobuf::util::MessageDifferencer::Equals(*answer.result, to_wire(*own)));

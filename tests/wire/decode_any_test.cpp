@@ -6,6 +6,7 @@
 #include "gonio/v1/service.pb.h"
 #include "wire/codec.h"
 #include "wire/fields.h"
+#include "wire/message.h"
 #include "wire/messages.h"
 
 namespace gonio::wire::testing {
@@ -123,6 +124,20 @@ TEST(DecodeAny, AMaterialGivenTwiceIsMerged) {
   put_bytes(request, 1, first.SerializeAsString());
   put_bytes(request, 1, second.SerializeAsString());
   expect_same_as_generated(request, 3);
+}
+
+// Caches know a material by its bytes, and a map's entries come in any order.
+TEST(DecodeAny, AMaterialBroughtIntoFormHasTheSameBytesAlways) {
+  v1::Material material;
+  material.set_model("ggx");
+  for (const char* name : {"alpha_x", "alpha_y", "eta", "f0", "scale"})
+    (*material.mutable_parameters()->mutable_fields())[name].set_number_value(0.5);
+  std::string pairs, request;
+  for (float value : {1.F, 2.F, 3.F}) put_float(pairs, 1, value);  // not packed
+  put_bytes(request, 4, pairs);
+  put_bytes(request, 1, to_bytes(material));
+  for (int i = 0; i < 20; ++i)
+    EXPECT_EQ(decode<Request>(buffer_of(request))->material, to_bytes(material));
 }
 
 TEST(DecodeAny, FieldsInAnotherOrderAndUnknownOnes) {
