@@ -1,6 +1,8 @@
 // The parts of a chart about a measured material.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "chart/chart_tables.h"
 #include "chart/example.h"
 #include "effort.h"

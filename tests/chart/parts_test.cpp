@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "chart/cases.h"
 #include "chart/chart_tables.h"
 #include "chart/machine.h"
