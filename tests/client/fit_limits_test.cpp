@@ -189,12 +189,15 @@ TEST_F(FitLimits, LeavesEvaluationAlone) {
   const auto client = connect("unix");
   std::vector<float> values(measured.values.size());
   int evaluations = 0;
-  while (done < 2) {
-    ASSERT_TRUE(client.evaluate(ggx(), measured.wi, measured.wo, values).ok());
+  bool good = true;
+  // Evaluations without a pause leave a busy machine nothing for fits: not without end.
+  while (good && done < 2 && evaluations < 500) {
+    good = client.evaluate(ggx(), measured.wi, measured.wo, values).ok();
     ++evaluations;
   }
   first.join();
   second.join();
+  EXPECT_TRUE(good);
   EXPECT_GT(evaluations, 0);
 }
 
