@@ -14,11 +14,17 @@ using Clock = std::chrono::system_clock;
 
 constexpr std::chrono::milliseconds kInterval{200};  // of progress
 
+// The name of what gRPC guarantees of alarms: it calls back, and lets go, after Set(). Not the
+// call's own, which a callback does not know to be there.
+const char alarms = 0;
+
 }  // namespace
 
 ProgressCall::ProgressCall(const Backend& backend, grpc::CallbackServerContext& context,
                            const char* method, const char* work)
     : background_(backend, context, method, work) {}
+
+ProgressCall::~ProgressCall() { happens_after(&alarms); }
 
 void ProgressCall::begin(const grpc::ByteBuffer& request) {
   self_ = shared_from_this();
@@ -65,9 +71,7 @@ void ProgressCall::tick() {
     if (end_) return;
   }
   pump(true);
-  // Weak: the alarm belongs to the call. gRPC calls back after Set(); the name for that is not the
-  // call's, which is not known to be there before the lock.
-  static const char alarms = 0;
+  // Weak: the alarm belongs to the call.
   std::function<void(bool)> again = [weak = weak_from_this()](bool) {
     happens_after(&alarms);
     if (const auto call = weak.lock()) call->tick();

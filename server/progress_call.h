@@ -32,6 +32,9 @@ class ProgressCall : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
     call->begin(request);
     return call.get();
   }
+  ~ProgressCall() override;
+  ProgressCall(const ProgressCall&) = delete;
+  ProgressCall& operator=(const ProgressCall&) = delete;
 
  protected:
   // `work` as in messages: "the fit".
