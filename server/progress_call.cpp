@@ -16,7 +16,7 @@ constexpr std::chrono::milliseconds kInterval{200};  // of progress
 
 // The name of what gRPC guarantees of alarms: it calls back, and lets go, after Set(). Not the
 // call's own, which a callback does not know to be there.
-const char alarms = 0;
+const char kAlarms = 0;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ ProgressCall::ProgressCall(const Backend& backend, grpc::CallbackServerContext& 
                            const char* method, const char* work)
     : background_(backend, context, method, work) {}
 
-ProgressCall::~ProgressCall() { happens_after(&alarms); }
+ProgressCall::~ProgressCall() { happens_after(&kAlarms); }
 
 void ProgressCall::begin(const grpc::ByteBuffer& request) {
   self_ = shared_from_this();
@@ -73,10 +73,10 @@ void ProgressCall::tick() {
   pump(true);
   // Weak: the alarm belongs to the call.
   std::function<void(bool)> again = [weak = weak_from_this()](bool) {
-    happens_after(&alarms);
+    happens_after(&kAlarms);
     if (const auto call = weak.lock()) call->tick();
   };
-  happens_before(&alarms);
+  happens_before(&kAlarms);
   alarm_.Set(Clock::now() + kInterval, std::move(again));
 }
 
