@@ -71,9 +71,12 @@ Result<Ok> ok_or_error(const Result<T>& result) {
 
 Result<Ok> fit(const client::Client& client) {
   const test::RandomPairs<float> pairs(kFitPairs);
-  std::vector<float> values(3 * kFitPairs);
-  const auto report = client.evaluate(material(), pairs.wi, pairs.wo, values);
-  if (!report) return report.error();
+  thread_local std::vector<float> values;  // once: to make them is evaluation, too
+  if (values.empty()) {
+    values.resize(3 * kFitPairs);
+    const auto report = client.evaluate(material(), pairs.wi, pairs.wo, values);
+    if (!report) return report.error();
+  }
   const client::FitData data{pairs.wi, pairs.wo, values, 3, {}, {}};
   const auto form = client::Material::sum(client::Lobe{"lambertian", {}},
                                           {client::Lobe{"ggx", {{"fresnel", "dielectric"}}}});
