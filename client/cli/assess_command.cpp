@@ -77,11 +77,6 @@ Result<std::optional<OutputFile>> open_report(const std::string& file) {
   return std::optional<OutputFile>(std::move(*output));
 }
 
-Outcome write_all(OutputFile& output, const std::string& text) {
-  if (auto written = output.write(text); !written) return written;
-  return output.commit();
-}
-
 int run(AssessArguments& arguments) {
   const auto apart =
       check_outputs({{"--report", arguments.report}}, {{"--material", arguments.material}});
@@ -96,7 +91,7 @@ int run(AssessArguments& arguments) {
   const auto assessment = connection->client.assess(*material, arguments.options);
   if (!assessment) return fail(assessment.error());
   if (*report) {
-    if (auto written = write_all(**report, assessment->json + "\n"); !written)
+    if (auto written = (*report)->write_whole(assessment->json + "\n"); !written)
       return fail(written.error());
   }
   const auto shown = arguments.quiet ? Outcome(Ok{})

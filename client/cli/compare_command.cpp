@@ -96,8 +96,7 @@ Outcome write(const std::string& file, const Result<std::string>& png) {
   if (!png) return png.error();
   auto output = OutputFile::open(file);
   if (!output) return output.error();
-  const auto written = output->write(*png);
-  return written ? output->commit() : written;
+  return output->write_whole(*png);
 }
 
 Outcome draw_spheres(const CompareArguments& arguments, const Comparison& comparison) {

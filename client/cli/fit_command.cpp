@@ -104,21 +104,16 @@ Result<Outputs> open_outputs(const FitArguments& arguments) {
   return outputs;
 }
 
-Outcome write(OutputFile& output, const std::string& text) {
-  if (auto written = output.write(text); !written) return written;
-  return output.commit();
-}
-
 // The reports in any case, the material if there is one.
 Outcome write_all(Outputs& outputs, const std::vector<NamedFit>& fits, const NamedFit* best,
                   const FitArguments& arguments) {
   for (std::size_t i = 0; i < outputs.reports.size(); ++i) {
-    const auto written = write(outputs.reports[i], outputs.pages[i] ? fit_page(fits, arguments)
-                                                                    : report_of(fits, arguments));
+    const auto written = outputs.reports[i].write_whole(
+        outputs.pages[i] ? fit_page(fits, arguments) : report_of(fits, arguments));
     if (!written) return written;
   }
   if (!outputs.material || best == nullptr) return Ok{};
-  return write(*outputs.material, best->result.material.to_json() + "\n");
+  return outputs.material->write_whole(best->result.material.to_json() + "\n");
 }
 
 // Also where --quiet leaves no table that says it.

@@ -129,8 +129,7 @@ int run(const LobeArguments& arguments) {
   if (!rgb) return fail(rgb.error());
   auto bytes = image::encode_png(*rgb, options->width, options->height);
   if (!bytes) return fail(bytes.error());
-  Outcome written = output->write(*bytes);
-  if (written) written = output->commit();
+  const Outcome written = output->write_whole(*bytes);
   return written ? exit_ok : fail(written.error());
 }
 

@@ -187,4 +187,9 @@ Outcome OutputFile::commit() {
   return Ok{};
 }
 
+Outcome OutputFile::write_whole(std::string_view bytes) {
+  if (auto written = write(bytes); !written) return written;
+  return commit();
+}
+
 }  // namespace gonio::cli

@@ -27,6 +27,8 @@ class OutputFile {
   Outcome patch(std::string_view bytes);
   // All is written: the file takes its place.
   Outcome commit();
+  // write() and commit().
+  Outcome write_whole(std::string_view bytes);
 
   // The reader of a pipe went away: not a failure of ours.
   [[nodiscard]] bool reader_gone() const { return reader_gone_; }

@@ -45,11 +45,6 @@ Outcome check_places(const SelectArguments& arguments,
   return check_outputs(outputs, inputs);
 }
 
-Outcome write_whole(OutputFile& output, const std::string& text) {
-  if (auto written = output.write(text); !written) return written;
-  return output.commit();
-}
-
 }  // namespace
 
 Result<SelectOutputs> SelectOutputs::open(const SelectArguments& arguments,
@@ -71,12 +66,12 @@ Result<SelectOutputs> SelectOutputs::open(const SelectArguments& arguments,
 
 Outcome SelectOutputs::write(const std::vector<NamedSelection>& found) {
   Outcome written = Ok{};
-  if (report_) written = write_whole(*report_, select_json(found));
+  if (report_) written = report_->write_whole(select_json(found));
   for (const auto& [name, selection] : found) {
     const bool wanted = !output_.empty() && selection.choice && selection.choice->material;
     if (!written || !wanted) continue;
     if (!name.empty()) written = open_output(file_in(output_, name), choice_);
-    if (written) written = write_whole(*choice_, selection.choice->material->to_json() + "\n");
+    if (written) written = choice_->write_whole(selection.choice->material->to_json() + "\n");
   }
   return written;
 }

@@ -18,8 +18,7 @@ std::string path_in(const std::string& folder, const std::string& name) {
 Outcome write_file(const std::string& folder, const std::string& name, const std::string& bytes) {
   auto file = OutputFile::open(path_in(folder, name));
   if (!file) return file.error();
-  if (auto written = file->write(bytes); !written) return written;
-  return file->commit();
+  return file->write_whole(bytes);
 }
 
 Outcome draw(const std::string& folder, const Figure& figure, const std::string& script) {
