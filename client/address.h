@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 
 namespace gonio::client {
 

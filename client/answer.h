@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <variant>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 #include "wire/codec.h"
 
 namespace gonio::client {

@@ -2,11 +2,11 @@
 #include <utility>
 
 #include "client/check_answer.h"
-#include "client/client.h"
 #include "client/convert.h"
 #include "client/message_json.h"
 #include "client/repeated.h"
 #include "client/state.h"
+#include "gonio/client/client.h"
 #include "gonio/v1/assess.pb.h"
 #include "wire/message.h"
 

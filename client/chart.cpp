@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "client/check_answer.h"
-#include "client/client.h"
 #include "client/fit_convert.h"
 #include "client/progress_call.h"
 #include "client/state.h"
+#include "gonio/client/client.h"
 #include "gonio/v1/chart.pb.h"
 #include "wire/message.h"
 

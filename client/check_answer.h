@@ -6,10 +6,10 @@
 
 #include <string>
 
-#include "base/result.h"
 #include "client/chunks.h"
 #include "client/request_head.h"
 #include "client/rpc.h"
+#include "gonio/base/result.h"
 
 namespace gonio::client {
 

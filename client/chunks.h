@@ -13,10 +13,10 @@
 #include <type_traits>
 #include <vector>
 
-#include "base/result.h"
 #include "client/answer.h"
-#include "client/client.h"
 #include "client/loan.h"
+#include "gonio/base/result.h"
+#include "gonio/client/client.h"
 #include "wire/codec.h"
 
 namespace gonio::client {

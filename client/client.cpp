@@ -1,4 +1,4 @@
-#include "client/client.h"
+#include "gonio/client/client.h"
 
 #include <grpc/grpc.h>
 #include <grpcpp/create_channel.h>

@@ -2,9 +2,9 @@
 // safety: no state.
 #pragma once
 
-#include "client/models.h"
-#include "client/sampling.h"
-#include "client/types.h"
+#include "gonio/client/models.h"
+#include "gonio/client/sampling.h"
+#include "gonio/client/types.h"
 #include "gonio/v1/evaluate.pb.h"
 #include "gonio/v1/models.pb.h"
 #include "gonio/v1/sample.pb.h"

@@ -2,9 +2,9 @@
 #include <utility>
 
 #include "client/chunks.h"
-#include "client/client.h"
 #include "client/evaluation.h"
 #include "client/state.h"
+#include "gonio/client/client.h"
 
 namespace gonio::client {
 namespace {

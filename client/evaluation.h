@@ -9,12 +9,12 @@
 #include <optional>
 #include <type_traits>
 
-#include "base/result.h"
 #include "client/chunks.h"
-#include "client/client.h"
 #include "client/request_head.h"
 #include "client/retry.h"
 #include "client/rpc.h"
+#include "gonio/base/result.h"
+#include "gonio/client/client.h"
 
 namespace gonio::client {
 

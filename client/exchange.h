@@ -13,12 +13,12 @@
 #include <string>
 #include <string_view>
 
-#include "base/result.h"
 #include "client/chunks.h"
 #include "client/request_head.h"
 #include "client/retry.h"
 #include "client/rpc.h"
 #include "client/stream.h"
+#include "gonio/base/result.h"
 
 namespace gonio::client {
 

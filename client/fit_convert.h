@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include "base/result.h"
-#include "client/fit.h"
+#include "gonio/base/result.h"
+#include "gonio/client/fit.h"
 #include "gonio/v1/fit.pb.h"
 #include "wire/message.h"
 

@@ -1,4 +1,4 @@
-#include "client/grid.h"
+#include "gonio/client/grid.h"
 
 #include <array>
 #include <cstddef>

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "client/check_answer.h"
-#include "client/client.h"
 #include "client/convert.h"
 #include "client/state.h"
+#include "gonio/client/client.h"
 #include "gonio/v1/sample.pb.h"
 #include "wire/message.h"
 

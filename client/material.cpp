@@ -1,4 +1,4 @@
-#include "client/material.h"
+#include "gonio/client/material.h"
 
 #include "client/message_json.h"
 #include "gonio/v1/material.pb.h"

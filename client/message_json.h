@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "base/result.h"
-#include "client/material.h"
+#include "gonio/base/result.h"
+#include "gonio/client/material.h"
 
 namespace google::protobuf {
 class Message;

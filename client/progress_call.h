@@ -6,9 +6,9 @@
 
 #include <functional>
 
-#include "base/result.h"
 #include "client/retry.h"
 #include "client/rpc.h"
+#include "gonio/base/result.h"
 
 namespace gonio::client {
 

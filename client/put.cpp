@@ -2,10 +2,10 @@
 #include <memory>
 #include <utility>
 
-#include "client/client.h"
 #include "client/open_call.h"
 #include "client/progress_call.h"
 #include "client/state.h"
+#include "gonio/client/client.h"
 #include "gonio/v1/put.pb.h"
 #include "wire/message.h"
 #include "wire/sha256.h"

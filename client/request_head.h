@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "client/answer.h"
-#include "client/client.h"
+#include "gonio/client/client.h"
 
 namespace gonio::client {
 

@@ -10,8 +10,8 @@
 #include <optional>
 #include <string>
 
-#include "base/result.h"
-#include "client/client.h"
+#include "gonio/base/result.h"
+#include "gonio/client/client.h"
 #include "gonio/v1/error.pb.h"
 
 namespace gonio::client {

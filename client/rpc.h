@@ -11,9 +11,9 @@
 #include <memory>
 #include <string>
 
-#include "base/result.h"
 #include "client/queue_pool.h"
 #include "client/retry.h"
+#include "gonio/base/result.h"
 
 namespace gonio::client {
 

@@ -2,9 +2,9 @@
 #include <optional>
 #include <string>
 
-#include "client/client.h"
 #include "client/sample_chunks.h"
 #include "client/state.h"
+#include "gonio/client/client.h"
 
 namespace gonio::client {
 namespace {

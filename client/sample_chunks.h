@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "client/chunks.h"
-#include "client/client.h"
+#include "gonio/client/client.h"
 
 namespace gonio::client {
 

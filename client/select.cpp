@@ -1,10 +1,10 @@
 #include <optional>
 #include <utility>
 
-#include "client/client.h"
 #include "client/progress_call.h"
 #include "client/select_convert.h"
 #include "client/state.h"
+#include "gonio/client/client.h"
 #include "wire/message.h"
 
 namespace gonio::client {

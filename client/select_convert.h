@@ -2,8 +2,8 @@
 // Thread safety: no state.
 #pragma once
 
-#include "base/result.h"
-#include "client/select.h"
+#include "gonio/base/result.h"
+#include "gonio/client/select.h"
 #include "gonio/v1/select.pb.h"
 
 namespace gonio::client {

@@ -4,9 +4,9 @@
 
 #include <utility>
 
-#include "client/client.h"
 #include "client/evaluation.h"
 #include "client/rpc.h"
+#include "gonio/client/client.h"
 
 namespace gonio::client {
 

@@ -1,4 +1,4 @@
-#include "client/types.h"
+#include "gonio/client/types.h"
 
 namespace gonio::client {
 namespace {

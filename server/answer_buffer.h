@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 
 namespace gonio {
 

@@ -4,7 +4,7 @@
 #include <grpcpp/support/byte_buffer.h>
 
 #include "assess/assess.h"
-#include "base/result.h"
+#include "gonio/base/result.h"
 #include "gonio/v1/assess.pb.h"
 
 namespace gonio {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "measured/table.h"
+#include "gonio/measured/table.h"
 
 namespace gonio {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/result.h"
-#include "engine/material.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/material.h"
 #include "gonio/v1/material.pb.h"
 
 namespace gonio {

@@ -12,8 +12,8 @@
 #include <string>
 
 #include "base/happens_before.h"
-#include "base/result.h"
-#include "engine/thread_pool.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/thread_pool.h"
 #include "server/background_queue.h"
 #include "server/materials.h"
 #include "server/memory_budget.h"

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
 #include "chart/machine.h"
 #include "chart/parts.h"
+#include "gonio/base/result.h"
 #include "gonio/v1/chart.pb.h"
 #include "server/materials.h"
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <initializer_list>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 #include "wire/bytes.h"
 #include "wire/fields.h"
 #include "wire/material_size.h"

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/result.h"
-#include "engine/grid.h"
-#include "engine/isa.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/grid.h"
+#include "gonio/engine/isa.h"
 #include "wire/codec.h"
 
 namespace gonio {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 #include "server/direction_source.h"
 #include "server/work.h"
 #include "wire/codec.h"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "engine/material_impl.h"
-#include "measured/table.h"
+#include "gonio/measured/table.h"
 #include "server/build_material.h"
 #include "server/decode_request.h"
 #include "server/measured_pairs.h"

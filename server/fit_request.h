@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <memory>
 
-#include "base/result.h"
 #include "fit/fit.h"
+#include "gonio/base/result.h"
 #include "gonio/v1/fit.pb.h"
 #include "server/materials.h"
 

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <string>
 
-#include "base/result.h"
-#include "engine/isa.h"
-#include "engine/random_numbers.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/isa.h"
+#include "gonio/engine/random_numbers.h"
 #include "wire/codec.h"
 
 namespace gonio {

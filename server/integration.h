@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 #include "server/incident_source.h"
 #include "server/moments.h"
 #include "server/work.h"

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "base/version.h"
-#include "engine/isa.h"
-#include "engine/registry.h"
+#include "gonio/base/version.h"
+#include "gonio/engine/isa.h"
+#include "gonio/engine/registry.h"
 #include "wire/convert.h"
 
 namespace gonio {

@@ -1,7 +1,7 @@
 // What ListModels says. Thread safety: a function without state.
 #pragma once
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 #include "gonio/v1/models.pb.h"
 #include "server/materials.h"
 

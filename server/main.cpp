@@ -5,7 +5,7 @@
 #include <exception>
 #include <iostream>
 
-#include "base/version.h"
+#include "gonio/base/version.h"
 #include "server/configure.h"
 #include "server/logging.h"
 #include "server/server.h"

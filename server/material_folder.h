@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 
 namespace gonio {
 

@@ -2,7 +2,7 @@
 // function without state.
 #pragma once
 
-#include "engine/material.h"
+#include "gonio/engine/material.h"
 #include "gonio/v1/material.pb.h"
 
 namespace gonio {

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "measured/table.h"
+#include "gonio/measured/table.h"
 #include "server/near_names.h"
 #include "wire/convert.h"
 #include "wire/material_size.h"

@@ -16,8 +16,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/result.h"
-#include "engine/material.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/material.h"
 #include "gonio/v1/material.pb.h"
 #include "server/build_material.h"
 #include "server/local_files.h"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "measured/table.h"
+#include "gonio/measured/table.h"
 #include "server/material_folder.h"
 #include "server/materials.h"
 

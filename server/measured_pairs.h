@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <memory>
 
-#include "base/result.h"
 #include "fit/data.h"
+#include "gonio/base/result.h"
+#include "gonio/measured/table.h"
 #include "gonio/v1/fit.pb.h"
-#include "measured/table.h"
 #include "server/materials.h"
 
 namespace gonio {

@@ -11,8 +11,8 @@
 #include <optional>
 #include <utility>
 
-#include "engine/material.h"
-#include "engine/sampler.h"
+#include "gonio/engine/material.h"
+#include "gonio/engine/sampler.h"
 
 namespace gonio {
 

@@ -16,7 +16,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 #include "server/background_work.h"
 
 namespace gonio {

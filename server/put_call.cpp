@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "measured/table.h"
+#include "gonio/measured/table.h"
 #include "wire/message.h"
 #include "wire/status.h"
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 #include "server/incident_source.h"
 #include "server/work.h"
 #include "wire/codec.h"

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "base/result.h"
 #include "fit/data.h"
+#include "gonio/base/result.h"
 #include "gonio/v1/select.pb.h"
 #include "select/select.h"
 #include "server/materials.h"

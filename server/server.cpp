@@ -12,7 +12,7 @@
 #include <thread>
 #include <utility>
 
-#include "engine/thread_pool.h"
+#include "gonio/engine/thread_pool.h"
 #include "server/address.h"
 #include "server/configure.h"
 #include "server/materials.h"

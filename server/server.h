@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 
 namespace grpc {
 class Channel;

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "engine/evaluate.h"
+#include "gonio/engine/evaluate.h"
 
 namespace gonio {
 

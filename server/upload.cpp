@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "measured/table.h"
+#include "gonio/measured/table.h"
 
 namespace gonio {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 #include "gonio/v1/put.pb.h"
 #include "server/materials.h"
 #include "server/memory_budget.h"

@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "base/result.h"
-#include "engine/evaluate.h"
-#include "engine/isa.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/evaluate.h"
+#include "gonio/engine/isa.h"
 #include "gonio/v1/evaluate.pb.h"
 #include "gonio/v1/sample.pb.h"
 #include "server/memory_budget.h"

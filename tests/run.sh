@@ -96,7 +96,7 @@ run_step() {
     asan)
       export ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1
       export LSAN_OPTIONS=suppressions=$PWD/tests/lsan_suppressions.txt:print_suppressions=0
-      sanitize asan numeric models measured engine timing assess chart fit select wire server client cli ;;
+      sanitize asan base numeric models measured engine timing assess chart fit select wire server client cli ;;
     tsan)
       # Debian's gRPC is not built for this sanitizer, which therefore sees none of the atomics by which it hands something from
       # one thread to another. What gRPC guarantees is stated where it matters (base/happens_before.h), and its headers' part of

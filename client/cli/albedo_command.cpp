@@ -15,7 +15,7 @@
 #include "client/cli/numbers.h"
 #include "client/cli/summary.h"
 #include "client/cli/wi_argument.h"
-#include "engine/grid.h"
+#include "gonio/engine/grid.h"
 
 namespace gonio::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "client/sampling.h"
+#include "gonio/client/sampling.h"
 
 namespace gonio::cli {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "client/assess.h"
+#include "gonio/client/assess.h"
 
 namespace gonio::cli {
 

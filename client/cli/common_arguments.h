@@ -5,7 +5,7 @@
 
 #include "client/cli/connection.h"
 #include "client/cli/result_writer.h"
-#include "client/client.h"
+#include "gonio/client/client.h"
 
 namespace gonio::cli {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
 #include "client/cli/comparison.h"
-#include "client/client.h"
+#include "gonio/base/result.h"
+#include "gonio/client/client.h"
 
 namespace gonio::cli {
 

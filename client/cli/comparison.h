@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
 #include "chart/chart.h"
 #include "client/cli/measured_input.h"
-#include "client/material.h"
-#include "engine/material.h"
 #include "fit/data.h"
+#include "gonio/base/result.h"
+#include "gonio/client/material.h"
+#include "gonio/engine/material.h"
 
 namespace gonio::cli {
 

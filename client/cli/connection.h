@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "base/result.h"
-#include "client/client.h"
+#include "gonio/base/result.h"
+#include "gonio/client/client.h"
 #include "server/server.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): theirs

@@ -9,7 +9,7 @@
 #include "client/cli/csv_fields.h"
 #include "client/cli/numbers.h"
 #include "client/cli/pair_input.h"
-#include "engine/grid.h"
+#include "gonio/engine/grid.h"
 
 namespace gonio::cli {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "base/result.h"
 #include "client/cli/common_arguments.h"
+#include "gonio/base/result.h"
 
 namespace gonio::cli {
 

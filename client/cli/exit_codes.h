@@ -2,7 +2,7 @@
 // state.
 #pragma once
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 
 namespace gonio::cli {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
 #include "client/cli/connection.h"
-#include "client/fit.h"
+#include "gonio/base/result.h"
+#include "gonio/client/fit.h"
 
 namespace gonio::cli {
 

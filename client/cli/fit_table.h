@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "client/fit.h"
+#include "gonio/client/fit.h"
 
 namespace gonio::cli {
 

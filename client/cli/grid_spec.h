@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
-#include "client/grid.h"
+#include "gonio/base/result.h"
+#include "gonio/client/grid.h"
 
 namespace gonio::cli {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "client/types.h"
+#include "gonio/client/types.h"
 
 namespace gonio::cli {
 

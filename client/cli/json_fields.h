@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 
 namespace gonio::cli {
 

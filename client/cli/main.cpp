@@ -4,10 +4,10 @@
 #include <exception>
 #include <string>
 
-#include "base/version.h"
 #include "client/cli/commands.h"
 #include "client/cli/exit_codes.h"
 #include "client/cli/output_file.h"
+#include "gonio/base/version.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "client/models.h"
+#include "gonio/client/models.h"
 
 namespace gonio::cli {
 

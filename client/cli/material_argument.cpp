@@ -7,7 +7,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "engine/registry.h"
+#include "gonio/engine/registry.h"
 #include "wire/convert.h"
 
 namespace gonio::cli {

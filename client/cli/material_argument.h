@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "base/result.h"
-#include "client/material.h"
+#include "gonio/base/result.h"
+#include "gonio/client/material.h"
 
 namespace gonio::cli {
 

@@ -8,7 +8,7 @@
 #include "client/cli/csv_fields.h"
 #include "client/cli/measured_input.h"
 #include "client/cli/numbers.h"
-#include "engine/grid.h"
+#include "gonio/engine/grid.h"
 
 namespace gonio::cli {
 namespace {

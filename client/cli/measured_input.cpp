@@ -7,9 +7,9 @@
 #include "client/cli/material_argument.h"
 #include "client/cli/npy_header.h"
 #include "fit/data.h"
+#include "gonio/measured/table.h"
 #include "measured/pairs.h"
 #include "measured/solid_angle.h"
-#include "measured/table.h"
 
 namespace gonio::cli {
 namespace {

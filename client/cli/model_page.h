@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "client/models.h"
+#include "gonio/client/models.h"
 
 namespace gonio::cli {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/result.h"
 #include "client/cli/byte_source.h"
+#include "gonio/base/result.h"
 
 namespace gonio::cli {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "base/result.h"
-#include "client/sampling.h"
+#include "gonio/base/result.h"
+#include "gonio/client/sampling.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): theirs
 class App;

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
 #include "client/cli/byte_source.h"
+#include "gonio/base/result.h"
 
 namespace gonio::cli {
 

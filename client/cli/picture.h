@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 
 namespace gonio::cli {
 

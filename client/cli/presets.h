@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "client/models.h"
+#include "gonio/client/models.h"
 
 namespace gonio::cli {
 

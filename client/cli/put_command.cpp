@@ -12,7 +12,7 @@
 #include "client/cli/exit_codes.h"
 #include "client/cli/output_file.h"
 #include "client/cli/progress.h"
-#include "measured/table.h"
+#include "gonio/measured/table.h"
 
 namespace gonio::cli {
 namespace {

@@ -6,13 +6,13 @@
 #include <optional>
 #include <string>
 
-#include "base/result.h"
 #include "client/cli/connection.h"
 #include "client/cli/picture.h"
 #include "client/render/camera.h"
 #include "client/render/integrator.h"
 #include "client/render/light.h"
 #include "client/render/shape.h"
+#include "gonio/base/result.h"
 
 namespace gonio::cli {
 

@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/result.h"
 #include "client/cli/output_file.h"
-#include "client/client.h"
+#include "gonio/base/result.h"
+#include "gonio/client/client.h"
 
 namespace gonio::cli {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
-#include "client/select.h"
+#include "gonio/base/result.h"
+#include "gonio/client/select.h"
 
 namespace gonio::cli {
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <string_view>
 
-#include "base/result.h"
 #include "client/cli/json_fields.h"
-#include "client/select.h"
+#include "gonio/base/result.h"
+#include "gonio/client/select.h"
 
 namespace gonio::cli {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "client/cli/connection.h"
-#include "client/select.h"
+#include "gonio/client/select.h"
 
 namespace gonio::cli {
 

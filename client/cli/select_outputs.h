@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
 #include "client/cli/output_file.h"
 #include "client/cli/scene_file.h"
 #include "client/cli/select_arguments.h"
 #include "client/cli/select_report.h"
+#include "gonio/base/result.h"
 
 namespace gonio::cli {
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "client/lobe/lobe.h"
-#include "engine/evaluate.h"
-#include "engine/grid.h"
+#include "gonio/engine/evaluate.h"
+#include "gonio/engine/grid.h"
 
 namespace gonio::cli {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "base/result.h"
 #include "client/lobe/slices.h"
-#include "engine/material.h"
 #include "fit/data.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/material.h"
 
 namespace gonio::cli {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "client/cli/numbers.h"
-#include "client/types.h"
 #include "engine/direction_flags.h"
+#include "gonio/client/types.h"
 
 namespace gonio::cli {
 

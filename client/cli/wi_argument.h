@@ -9,8 +9,8 @@
 #include <span>
 #include <string>
 
-#include "base/result.h"
 #include "client/cli/pair_input.h"
+#include "gonio/base/result.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): theirs
 class App;

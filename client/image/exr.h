@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "base/result.h"
 #include "client/image/image.h"
+#include "gonio/base/result.h"
 
 namespace gonio::image {
 

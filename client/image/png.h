@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 
 namespace gonio::image {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "base/result.h"
 #include "client/image/image.h"
+#include "gonio/base/result.h"
 
 namespace gonio::image {
 

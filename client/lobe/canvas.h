@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 
 struct _cairo;  // NOLINT(bugprone-reserved-identifier): theirs
 

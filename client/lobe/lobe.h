@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "base/result.h"
 #include "client/render/evaluator.h"
+#include "gonio/base/result.h"
 
 namespace gonio::lobe {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
 #include "client/lobe/scale.h"
 #include "client/render/evaluator.h"
+#include "gonio/base/result.h"
 
 namespace gonio::lobe {
 

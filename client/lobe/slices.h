@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
 #include "client/lobe/canvas.h"
+#include "gonio/base/result.h"
 
 namespace gonio::lobe {
 

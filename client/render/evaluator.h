@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "base/result.h"
-#include "client/client.h"
 #include "client/render/surface.h"
+#include "gonio/base/result.h"
+#include "gonio/client/client.h"
 
 namespace gonio::render {
 

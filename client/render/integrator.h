@@ -5,11 +5,11 @@
 #include <functional>
 #include <optional>
 
-#include "base/result.h"
 #include "client/render/camera.h"
 #include "client/render/light.h"
 #include "client/render/shape.h"
 #include "client/render/surface.h"
+#include "gonio/base/result.h"
 
 namespace gonio::render {
 

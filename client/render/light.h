@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
-#include "base/result.h"
 #include "client/image/image.h"
 #include "client/render/geometry.h"
 #include "client/render/sequence.h"
+#include "gonio/base/result.h"
 
 namespace gonio::render {
 

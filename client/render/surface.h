@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "base/result.h"
 #include "client/image/image.h"
+#include "gonio/base/result.h"
 
 namespace gonio::render {
 

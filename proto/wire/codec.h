@@ -18,7 +18,7 @@
 #include <string_view>
 #include <variant>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 #include "gonio/v1/evaluate.pb.h"
 #include "gonio/v1/sample.pb.h"
 #include "wire/bytes.h"

@@ -4,13 +4,13 @@
 
 #include <string_view>
 
-#include "base/result.h"
-#include "engine/isa.h"
-#include "engine/random_numbers.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/isa.h"
+#include "gonio/engine/random_numbers.h"
+#include "gonio/models/description.h"
 #include "gonio/v1/evaluate.pb.h"
 #include "gonio/v1/material.pb.h"
 #include "gonio/v1/sample.pb.h"
-#include "models/description.h"
 
 namespace gonio::wire {
 

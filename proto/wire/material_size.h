@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 #include "wire/codec.h"
 #include "wire/fields.h"
 

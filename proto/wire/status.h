@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 #include "gonio/v1/error.pb.h"
 
 namespace gonio::wire {

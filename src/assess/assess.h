@@ -11,9 +11,9 @@
 #include <optional>
 
 #include "assess/report.h"
-#include "base/result.h"
-#include "engine/isa.h"
-#include "engine/sampler.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/isa.h"
+#include "gonio/engine/sampler.h"
 
 namespace gonio::assess {
 

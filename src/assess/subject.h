@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "assess/naive_material.h"
-#include "engine/material.h"
-#include "engine/sampler.h"
 #include "engine/truth.h"
+#include "gonio/engine/material.h"
+#include "gonio/engine/sampler.h"
 
 namespace gonio::assess {
 

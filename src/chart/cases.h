@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "chart/printed.h"
-#include "engine/material.h"
+#include "gonio/engine/material.h"
 #include "timing/pairs.h"
 
 namespace gonio::chart {

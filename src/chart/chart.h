@@ -15,10 +15,10 @@
 #include <functional>
 #include <memory>
 
-#include "base/result.h"
 #include "chart/table.h"
 #include "fit/data.h"
-#include "measured/table.h"
+#include "gonio/base/result.h"
+#include "gonio/measured/table.h"
 #include "timing/race.h"
 
 namespace gonio::chart {

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "engine/evaluate.h"
+#include "gonio/engine/evaluate.h"
 
 namespace gonio::chart {
 namespace {

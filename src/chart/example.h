@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "measured/table.h"
+#include "gonio/measured/table.h"
 
 namespace gonio::chart {
 

@@ -5,8 +5,8 @@
 
 #include <fstream>
 
-#include "base/version.h"
-#include "engine/isa.h"
+#include "gonio/base/version.h"
+#include "gonio/engine/isa.h"
 
 namespace gonio::chart {
 namespace {

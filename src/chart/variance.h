@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "chart/sampling_cases.h"
-#include "engine/sampler.h"
+#include "gonio/engine/sampler.h"
 
 namespace gonio::chart {
 

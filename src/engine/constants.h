@@ -5,7 +5,7 @@
 #include <bit>
 #include <type_traits>
 
-#include "engine/material.h"
+#include "gonio/engine/material.h"
 #include "numeric/inline.h"
 
 namespace gonio {

@@ -7,8 +7,8 @@
 
 #include <string_view>
 
-#include "engine/evaluate.h"
-#include "engine/material.h"
+#include "gonio/engine/evaluate.h"
+#include "gonio/engine/material.h"
 
 namespace gonio {
 

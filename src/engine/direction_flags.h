@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "engine/evaluate.h"
+#include "gonio/engine/evaluate.h"
 #include "numeric/inline.h"
 #include "parts/geometry.h"
 

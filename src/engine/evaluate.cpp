@@ -1,4 +1,4 @@
-#include "engine/evaluate.h"
+#include "gonio/engine/evaluate.h"
 
 #include <algorithm>
 #include <atomic>
@@ -9,7 +9,7 @@
 #include "engine/flush_to_zero.h"
 #include "engine/layout.h"
 #include "engine/material_impl.h"
-#include "engine/thread_pool.h"
+#include "gonio/engine/thread_pool.h"
 
 namespace gonio {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/grid.h"
+#include "gonio/engine/grid.h"
 
 #include <cassert>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/isa.h"
+#include "gonio/engine/isa.h"
 
 #include <array>
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/isa.h"
+#include "gonio/engine/isa.h"
 
 namespace gonio {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "engine/evaluate.h"
 #include "engine/kernel.h"
+#include "gonio/engine/evaluate.h"
 
 namespace gonio {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/registry.h"
+#include "gonio/engine/registry.h"
 
 namespace gonio {
 namespace {

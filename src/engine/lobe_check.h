@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "base/result.h"
-#include "engine/material.h"
 #include "engine/number_check.h"
-#include "models/description.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/material.h"
+#include "gonio/models/description.h"
 #include "models/parameter_values.h"
 
 namespace gonio {

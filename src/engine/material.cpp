@@ -1,4 +1,4 @@
-#include "engine/material.h"
+#include "gonio/engine/material.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include "engine/lobe_check.h"
 #include "engine/material_impl.h"
 #include "engine/prepare.h"
-#include "engine/registry.h"
-#include "measured/table.h"
+#include "gonio/engine/registry.h"
+#include "gonio/measured/table.h"
 
 namespace gonio {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "engine/kernel.h"
 #include "engine/lobe_check.h"
-#include "engine/material.h"
+#include "gonio/engine/material.h"
 
 namespace gonio {
 

@@ -5,7 +5,7 @@
 // is periodic over half a turn, by reciprocity.
 #pragma once
 
-#include "measured/table.h"
+#include "gonio/measured/table.h"
 #include "numeric/inline.h"
 #include "parts/geometry.h"
 

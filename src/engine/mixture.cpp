@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "engine/flush_to_zero.h"
-#include "engine/random_numbers.h"
 #include "engine/strategies.h"
+#include "gonio/engine/random_numbers.h"
 
 namespace gonio {
 namespace {

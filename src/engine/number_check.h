@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
-#include "engine/material.h"
-#include "models/description.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/material.h"
+#include "gonio/models/description.h"
 
 namespace gonio {
 

@@ -1,7 +1,7 @@
 // Random numbers of one instruction set.
 #pragma once
 
-#include "engine/random_numbers.h"
+#include "gonio/engine/random_numbers.h"
 #include "numeric/number_sequences.h"
 
 namespace gonio::GONIO_ISA {

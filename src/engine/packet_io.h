@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/direction_flags.h"
-#include "engine/evaluate.h"
 #include "engine/kernel.h"
+#include "gonio/engine/evaluate.h"
 #include "numeric/number.h"
 #include "parts/geometry.h"
 

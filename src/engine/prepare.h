@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "engine/constants.h"
-#include "models/description.h"
+#include "gonio/models/description.h"
 #include "models/parameter_values.h"
 
 namespace gonio {

@@ -1,4 +1,4 @@
-#include "engine/random_numbers.h"
+#include "gonio/engine/random_numbers.h"
 
 #include "engine/sampling_kernel.h"
 

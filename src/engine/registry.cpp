@@ -1,4 +1,4 @@
-#include "engine/registry.h"
+#include "gonio/engine/registry.h"
 
 #include <array>
 #include <string>

@@ -1,4 +1,4 @@
-#include "engine/sampler.h"
+#include "gonio/engine/sampler.h"
 
 #include <algorithm>
 

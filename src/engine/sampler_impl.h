@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "engine/material_impl.h"
-#include "engine/sampler.h"
 #include "engine/sampling_kernel.h"
+#include "gonio/engine/sampler.h"
 #include "measured/table_sampling.h"
 
 namespace gonio {

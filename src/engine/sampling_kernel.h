@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/isa.h"
 #include "engine/kernel.h"
-#include "engine/random_numbers.h"
+#include "gonio/engine/isa.h"
+#include "gonio/engine/random_numbers.h"
 
 namespace gonio {
 

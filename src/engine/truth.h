@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/material.h"
+#include "gonio/engine/material.h"
 
 namespace gonio {
 

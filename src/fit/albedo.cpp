@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/evaluate.h"
-#include "engine/isa.h"
+#include "gonio/engine/evaluate.h"
+#include "gonio/engine/isa.h"
 
 namespace gonio::fit {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/material.h"
+#include "gonio/engine/material.h"
 
 namespace gonio::fit {
 

@@ -1,5 +1,5 @@
-#include "engine/isa.h"
 #include "fit/array_kernels.h"
+#include "gonio/engine/isa.h"
 
 namespace gonio::fit {
 

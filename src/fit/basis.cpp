@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "engine/isa.h"
+#include "gonio/engine/isa.h"
 
 namespace gonio::fit {
 namespace {

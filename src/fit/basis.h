@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "engine/derivative.h"
-#include "engine/material.h"
 #include "fit/data.h"
 #include "fit/form.h"
+#include "gonio/engine/material.h"
 
 namespace gonio::fit {
 

@@ -12,8 +12,8 @@
 #include <span>
 #include <vector>
 
-#include "base/result.h"
-#include "engine/evaluate.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/evaluate.h"
 
 namespace gonio {
 class MeasuredTable;  // measured/table.h

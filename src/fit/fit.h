@@ -17,11 +17,11 @@
 #include <string_view>
 #include <vector>
 
-#include "base/result.h"
-#include "engine/material.h"
 #include "fit/certificate.h"
 #include "fit/data.h"
 #include "fit/objective.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/material.h"
 
 namespace gonio::fit {
 

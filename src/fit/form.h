@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
-#include "engine/material.h"
 #include "fit/shape.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/material.h"
 
 namespace gonio::fit {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fit/form.h"
-#include "models/description.h"
+#include "gonio/models/description.h"
 
 namespace gonio::fit {
 

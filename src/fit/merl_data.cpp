@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "fit/data.h"
-#include "measured/table.h"
+#include "gonio/measured/table.h"
 
 namespace gonio::fit {
 namespace {

@@ -6,10 +6,10 @@
 #include <span>
 #include <utility>
 
-#include "engine/evaluate.h"
-#include "engine/isa.h"
 #include "fit/arrays.h"
 #include "fit/worst_places.h"
+#include "gonio/engine/evaluate.h"
+#include "gonio/engine/isa.h"
 
 namespace gonio::fit {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/material.h"
 #include "fit/data.h"
+#include "gonio/engine/material.h"
 
 namespace gonio::fit {
 

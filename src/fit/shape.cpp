@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/description.h"
+#include "gonio/models/description.h"
 
 namespace gonio::fit {
 namespace {

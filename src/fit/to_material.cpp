@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/registry.h"
 #include "fit/basis.h"
+#include "gonio/engine/registry.h"
 
 namespace gonio::fit {
 namespace {

@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-#include "measured/table.h"
+#include "gonio/measured/table.h"
 
 namespace gonio {
 namespace {

@@ -16,7 +16,7 @@
 #include <array>
 #include <cmath>
 
-#include "models/description.h"
+#include "gonio/models/description.h"
 #include "models/parameter_values.h"
 #include "numeric/type_list.h"
 #include "parts/fresnel.h"

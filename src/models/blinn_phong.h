@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-#include "models/description.h"
+#include "gonio/models/description.h"
 #include "parts/cosine_power.h"
 #include "parts/half_vector_sampling.h"
 #include "parts/lobe.h"

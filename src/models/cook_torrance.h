@@ -14,7 +14,7 @@
 #include <array>
 #include <string_view>
 
-#include "models/description.h"
+#include "gonio/models/description.h"
 #include "parts/cosine_power.h"
 #include "parts/half_vector_sampling.h"
 #include "parts/lobe.h"

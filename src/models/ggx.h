@@ -15,7 +15,7 @@
 #include <array>
 #include <cmath>
 
-#include "models/description.h"
+#include "gonio/models/description.h"
 #include "parts/horizon.h"
 #include "parts/lobe.h"
 #include "parts/roughness.h"

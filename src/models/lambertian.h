@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "models/description.h"
+#include "gonio/models/description.h"
 #include "models/parameter_values.h"
 #include "numeric/type_list.h"
 #include "parts/geometry.h"

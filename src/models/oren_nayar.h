@@ -21,7 +21,7 @@
 #include <array>
 #include <string_view>
 
-#include "models/description.h"
+#include "gonio/models/description.h"
 #include "models/parameter_values.h"
 #include "numeric/type_list.h"
 #include "parts/geometry.h"

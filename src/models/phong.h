@@ -9,7 +9,7 @@
 
 #include <array>
 
-#include "models/description.h"
+#include "gonio/models/description.h"
 #include "parts/cosine_power.h"
 #include "parts/lobe.h"
 #include "parts/mirror_sampling.h"

@@ -10,7 +10,7 @@
 
 #include <array>
 
-#include "models/description.h"
+#include "gonio/models/description.h"
 #include "parts/half_vector_sampling.h"
 #include "parts/lobe.h"
 #include "parts/roughness.h"

@@ -6,7 +6,7 @@
 // wo|^2 / 2, and wr - wo has the components -Hx, -Hy and the difference of the cosines.
 #pragma once
 
-#include "models/description.h"
+#include "gonio/models/description.h"
 #include "parts/geometry.h"
 
 namespace gonio::cosine_power {

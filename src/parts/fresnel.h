@@ -11,7 +11,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "models/description.h"
+#include "gonio/models/description.h"
 #include "models/parameter_values.h"
 #include "numeric/inline.h"
 #include "parts/geometry.h"

@@ -8,7 +8,7 @@
 #include <array>
 #include <string_view>
 
-#include "models/description.h"
+#include "gonio/models/description.h"
 
 namespace gonio::presets {
 

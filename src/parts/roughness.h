@@ -1,7 +1,7 @@
 // Roughness along both tangents, as the parameters of the anisotropic models.
 #pragma once
 
-#include "models/description.h"
+#include "gonio/models/description.h"
 
 namespace gonio::roughness {
 

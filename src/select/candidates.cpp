@@ -1,7 +1,7 @@
 #include "select/candidates.h"
 
-#include "engine/registry.h"
 #include "fit/form.h"
+#include "gonio/engine/registry.h"
 
 namespace gonio::select {
 namespace {

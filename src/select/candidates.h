@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/material.h"
+#include "gonio/engine/material.h"
 #include "select/scene.h"
 
 namespace gonio::select {

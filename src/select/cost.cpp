@@ -4,8 +4,8 @@
 #include <memory>
 #include <random>
 
-#include "engine/evaluate.h"
-#include "engine/sampler.h"
+#include "gonio/engine/evaluate.h"
+#include "gonio/engine/sampler.h"
 #include "timing/pairs.h"
 #include "timing/race.h"
 

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <string>
 
-#include "engine/evaluate.h"
 #include "fit/metrics.h"
+#include "gonio/engine/evaluate.h"
 #include "select/picture.h"
 
 namespace gonio::select {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "engine/material.h"
 #include "fit/data.h"
+#include "gonio/engine/material.h"
 #include "select/interval.h"
 #include "select/scene.h"
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "engine/material.h"
 #include "fit/data.h"
+#include "gonio/engine/material.h"
 #include "select/scene.h"
 
 namespace gonio::select {

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/evaluate.h"
+#include "gonio/engine/evaluate.h"
 #include "select/colour.h"
 
 namespace gonio::select {

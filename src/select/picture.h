@@ -1,8 +1,8 @@
 // What a rendered picture shows of a material's error.
 #pragma once
 
-#include "engine/material.h"
 #include "fit/data.h"
+#include "gonio/engine/material.h"
 #include "select/interval.h"
 
 namespace gonio::select {

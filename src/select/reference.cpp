@@ -6,7 +6,7 @@
 #include <numeric>
 #include <string>
 
-#include "engine/sampler.h"
+#include "gonio/engine/sampler.h"
 
 namespace gonio::select {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "engine/registry.h"
+#include "gonio/engine/registry.h"
 
 namespace gonio::select {
 namespace {

@@ -1,7 +1,7 @@
 // A material's numbers as a person would write them.
 #pragma once
 
-#include "engine/material.h"
+#include "gonio/engine/material.h"
 
 namespace gonio::select {
 

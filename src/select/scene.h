@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/result.h"
 #include "fit/objective.h"
+#include "gonio/base/result.h"
 
 namespace gonio::select {
 

@@ -31,8 +31,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/material.h"
 #include "fit/data.h"
+#include "gonio/engine/material.h"
 #include "select/cost.h"
 #include "select/error.h"
 #include "select/reference.h"

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "engine/evaluate.h"
-#include "engine/material.h"
+#include "gonio/engine/evaluate.h"
+#include "gonio/engine/material.h"
 #include "timing/race.h"
 
 namespace gonio::timing {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/sampler.h"
+#include "gonio/engine/sampler.h"
 #include "timing/race.h"
 
 namespace gonio::timing {

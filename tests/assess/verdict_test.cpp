@@ -8,7 +8,7 @@
 
 #include "assess/assessed.h"
 #include "effort.h"
-#include "measured/table.h"
+#include "gonio/measured/table.h"
 #include "models/analytic_models.h"
 #include "models/draws.h"
 

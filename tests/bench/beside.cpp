@@ -16,8 +16,8 @@
 #include <thread>
 #include <vector>
 
-#include "client/client.h"
 #include "client/pairs.h"
+#include "gonio/client/client.h"
 #include "server/daemon.h"
 
 namespace gonio::bench {

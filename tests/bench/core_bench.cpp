@@ -16,8 +16,8 @@
 
 #include "bench/cases.h"
 #include "bench/core_table.h"
-#include "engine/evaluate.h"
-#include "engine/thread_pool.h"
+#include "gonio/engine/evaluate.h"
+#include "gonio/engine/thread_pool.h"
 #include "models/run.h"
 #include "timing/pairs.h"
 

@@ -5,8 +5,8 @@
 #include <ctime>
 #include <vector>
 
-#include "engine/evaluate.h"
 #include "fit_modes.h"
+#include "gonio/engine/evaluate.h"
 
 namespace gonio::bench {
 namespace {

@@ -12,7 +12,7 @@
 #include "bench/best.h"
 #include "chart/sampling_cases.h"
 #include "chart/variance.h"
-#include "engine/sampler.h"
+#include "gonio/engine/sampler.h"
 #include "models/run.h"
 #include "timing/samples.h"
 

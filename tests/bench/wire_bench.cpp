@@ -20,7 +20,7 @@
 #include "bench/echo_client.h"
 #include "bench/resident.h"
 #include "bench/wire_server.h"
-#include "client/client.h"
+#include "gonio/client/client.h"
 #include "server/daemon.h"
 #include "timing/spread.h"
 #include "wire/codec.h"

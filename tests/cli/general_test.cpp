@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/version.h"
 #include "cli/run_process.h"
 #include "cli/socket_server.h"
+#include "gonio/base/version.h"
 
 namespace gonio::test {
 namespace {

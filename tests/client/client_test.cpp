@@ -1,6 +1,6 @@
 // The client against a real server: what comes back, from every transport and in chunks of every
 // size.
-#include "client/client.h"
+#include "gonio/client/client.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

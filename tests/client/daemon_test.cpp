@@ -12,8 +12,8 @@
 #include <thread>
 #include <vector>
 
-#include "client/client.h"
 #include "client/pairs.h"
+#include "gonio/client/client.h"
 #include "measured/temp_folder.h"
 
 namespace gonio::test {

@@ -12,7 +12,7 @@
 #include "client/fit_convert.h"
 #include "client/fit_fixture.h"
 #include "effort.h"
-#include "engine/evaluate.h"
+#include "gonio/engine/evaluate.h"
 #include "measured/synthetic_merl.h"
 #include "server/fit_messages.h"
 

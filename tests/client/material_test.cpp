@@ -1,5 +1,5 @@
 // Materials as the client holds them: their forms, and what is none.
-#include "client/material.h"
+#include "gonio/client/material.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

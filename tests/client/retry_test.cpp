@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "client/client.h"
 #include "client/fake_service.h"
 #include "client/pairs.h"
+#include "gonio/client/client.h"
 
 namespace gonio::test {
 namespace {

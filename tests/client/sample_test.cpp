@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "client/client.h"
 #include "client/pairs.h"
 #include "client/server_fixture.h"
+#include "gonio/client/client.h"
 
 namespace gonio::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "client/client.h"
+#include "gonio/client/client.h"
 #include "measured/temp_folder.h"
 #include "server/server.h"
 

@@ -4,9 +4,9 @@
 #include <cctype>
 #include <string>
 
-#include "client/fit.h"
-#include "client/select.h"
 #include "fit/objective.h"
+#include "gonio/client/fit.h"
+#include "gonio/client/select.h"
 #include "gonio/v1/fit.pb.h"
 #include "gonio/v1/select.pb.h"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/batches.h"
-#include "engine/thread_pool.h"
+#include "gonio/engine/thread_pool.h"
 
 namespace gonio::testing {
 namespace {

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/evaluate.h"
+#include "gonio/engine/evaluate.h"
+#include "gonio/measured/table.h"
 #include "measured/synthetic_merl.h"
-#include "measured/table.h"
 
 namespace gonio::testing {
 

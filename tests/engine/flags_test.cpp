@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "engine/batches.h"
-#include "engine/thread_pool.h"
+#include "gonio/engine/thread_pool.h"
 
 namespace gonio::testing {
 namespace {

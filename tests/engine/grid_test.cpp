@@ -1,5 +1,5 @@
 // Grids: nesting, frames, the horizon, ranges, and what is refused.
-#include "engine/grid.h"
+#include "gonio/engine/grid.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,13 +1,13 @@
 // Specifications as a person writes them: what is taken, what is refused and how that is said.
-#include "engine/material.h"
+#include "gonio/engine/material.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "engine/evaluate.h"
 #include "engine/one_value.h"
+#include "gonio/engine/evaluate.h"
 
 namespace gonio {
 namespace {

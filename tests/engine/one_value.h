@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "engine/evaluate.h"
+#include "gonio/engine/evaluate.h"
 
 namespace gonio {
 

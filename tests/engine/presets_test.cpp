@@ -6,9 +6,9 @@
 #include <cmath>
 #include <set>
 
-#include "engine/evaluate.h"
 #include "engine/one_value.h"
-#include "engine/registry.h"
+#include "gonio/engine/evaluate.h"
+#include "gonio/engine/registry.h"
 
 namespace gonio {
 namespace {

@@ -1,5 +1,5 @@
 // The numbers that samples are drawn by: what their papers say, in [0, 1), the same for any slice.
-#include "engine/random_numbers.h"
+#include "gonio/engine/random_numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What the models say of themselves is true of the checks (tests/models has the rest).
-#include "engine/registry.h"
+#include "gonio/engine/registry.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "engine/material.h"
+#include "gonio/engine/material.h"
 #include "models/analytic_models.h"
 
 namespace gonio {

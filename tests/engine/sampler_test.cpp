@@ -1,5 +1,5 @@
 // A sample depends on its wi and its numbers alone: not on the batch, its slices or its layout.
-#include "engine/sampler.h"
+#include "gonio/engine/sampler.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/batches.h"
-#include "engine/sampler.h"
+#include "gonio/engine/sampler.h"
 
 namespace gonio::testing {
 

@@ -1,5 +1,5 @@
 // The compute pool: every tile once, fair, bounded, stoppable, and finished before it is gone.
-#include "engine/thread_pool.h"
+#include "gonio/engine/thread_pool.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "engine/isa.h"
+#include "gonio/engine/isa.h"
 
 namespace gonio::testing {
 namespace {

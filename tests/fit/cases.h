@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/material.h"
+#include "gonio/engine/material.h"
 
 namespace gonio::testing {
 

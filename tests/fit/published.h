@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "data_folder.h"
-#include "engine/material.h"
+#include "gonio/engine/material.h"
 
 namespace gonio::testing {
 

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "fit/data.h"
+#include "gonio/measured/table.h"
 #include "measured/npf_material.h"
 #include "measured/synthetic_merl.h"
-#include "measured/table.h"
 
 namespace gonio::testing {
 

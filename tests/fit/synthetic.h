@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "engine/evaluate.h"
 #include "fit/data.h"
 #include "fit/fit.h"
+#include "gonio/engine/evaluate.h"
 
 namespace gonio::testing {
 

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <vector>
 
-#include "measured/table.h"
+#include "gonio/measured/table.h"
 
 namespace gonio::testing {
 

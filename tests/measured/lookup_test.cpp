@@ -8,7 +8,7 @@
 #include <random>
 
 #include "engine/batches.h"
-#include "engine/registry.h"
+#include "gonio/engine/registry.h"
 #include "measured/npf_material.h"
 #include "measured/synthetic_merl.h"
 

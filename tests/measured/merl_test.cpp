@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "gonio/measured/table.h"
 #include "measured/npf_material.h"
 #include "measured/synthetic_merl.h"
-#include "measured/table.h"
 #include "measured/temp_folder.h"
 
 namespace gonio {

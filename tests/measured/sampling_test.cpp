@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "assess/chi_square.h"
-#include "engine/sampler.h"
+#include "gonio/engine/sampler.h"
+#include "gonio/measured/table.h"
 #include "measured/synthetic_merl.h"
-#include "measured/table.h"
 
 namespace gonio::testing {
 namespace {

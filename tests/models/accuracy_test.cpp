@@ -9,7 +9,7 @@
 #include <random>
 #include <sstream>
 
-#include "engine/registry.h"
+#include "gonio/engine/registry.h"
 #include "models/cases.h"
 #include "models/compare.h"
 #include "models/run.h"

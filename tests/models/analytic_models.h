@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/registry.h"
+#include "gonio/engine/registry.h"
 
 namespace gonio::testing {
 

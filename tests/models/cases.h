@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/material.h"
+#include "gonio/engine/material.h"
 
 namespace gonio::testing {
 

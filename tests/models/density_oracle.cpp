@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "engine/registry.h"
+#include "gonio/engine/registry.h"
 #include "models/sampling_subject.h"
 
 namespace gonio::testing {

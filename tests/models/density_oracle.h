@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/sampler.h"
+#include "gonio/engine/sampler.h"
 #include "models/densities.h"
 
 namespace gonio::testing {

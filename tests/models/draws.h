@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/registry.h"
+#include "gonio/engine/registry.h"
 #include "models/cases.h"
 
 namespace gonio::testing {

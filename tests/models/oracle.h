@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/material.h"
+#include "gonio/engine/material.h"
 #include "models/formulas.h"
 
 namespace gonio::testing {

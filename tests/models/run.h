@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "engine/evaluate.h"
+#include "gonio/engine/evaluate.h"
 #include "models/oracle.h"
 #include "models/pairs.h"
 

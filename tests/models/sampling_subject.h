@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/sampler.h"
+#include "gonio/engine/sampler.h"
 #include "models/hemisphere.h"
 
 namespace gonio::testing {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "measured/table.h"
+#include "gonio/measured/table.h"
 #include "models/cases.h"
 #include "models/compare.h"
 #include "models/run.h"

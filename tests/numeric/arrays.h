@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "engine/isa.h"
+#include "gonio/engine/isa.h"
 #include "numeric/functions.h"
 
 namespace gonio::testing {

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "fit/synthetic.h"
+#include "gonio/measured/table.h"
 #include "measured/synthetic_merl.h"
-#include "measured/table.h"
 #include "select/trials.h"
 
 namespace gonio::testing {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "engine/grid.h"
+#include "gonio/engine/grid.h"
 #include "server/harness.h"
 
 namespace gonio::testing {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/evaluate.h"
+#include "gonio/engine/evaluate.h"
 #include "gonio/v1/service.grpc.pb.h"
 #include "server/server.h"
 #include "wire/status.h"

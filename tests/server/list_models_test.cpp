@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "base/version.h"
-#include "engine/registry.h"
+#include "gonio/base/version.h"
+#include "gonio/engine/registry.h"
 #include "server/harness.h"
 
 namespace gonio::testing {

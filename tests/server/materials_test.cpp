@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "gonio/measured/table.h"
 #include "measured/synthetic_merl.h"
-#include "measured/table.h"
 #include "measured/temp_folder.h"
 #include "server/harness.h"
 

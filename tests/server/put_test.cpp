@@ -7,8 +7,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "gonio/measured/table.h"
 #include "measured/synthetic_merl.h"
-#include "measured/table.h"
 #include "measured/temp_folder.h"
 #include "server/harness.h"
 #include "wire/sha256.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/sampler.h"
+#include "gonio/engine/sampler.h"
 #include "server/harness.h"
 
 namespace gonio::testing {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "base/result.h"
 #include "client/cli/chart/tables.h"
+#include "gonio/base/result.h"
 
 namespace gonio::cli {
 

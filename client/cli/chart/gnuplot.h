@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 
 namespace gonio::cli {
 

@@ -1,9 +1,9 @@
 // Measures the parts of a chart. Thread safety: a function without state.
 #pragma once
 
-#include "base/result.h"
 #include "client/cli/chart/arguments.h"
 #include "client/cli/chart/tables.h"
+#include "gonio/base/result.h"
 
 namespace gonio::cli {
 

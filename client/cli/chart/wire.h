@@ -6,7 +6,7 @@
 
 #include "chart/chart.h"
 #include "chart/table.h"
-#include "client/client.h"
+#include "gonio/client/client.h"
 
 namespace gonio::cli {
 

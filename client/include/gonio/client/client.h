@@ -33,19 +33,19 @@
 #include <string>
 #include <string_view>
 
-#include "base/result.h"
-#include "client/assess.h"
-#include "client/chart.h"
-#include "client/fit.h"
-#include "client/grid.h"
-#include "client/material.h"
-#include "client/models.h"
-#include "client/options.h"
-#include "client/pair_chunks.h"
-#include "client/put.h"
-#include "client/sampling.h"
-#include "client/select.h"
-#include "client/types.h"
+#include "gonio/base/result.h"
+#include "gonio/client/assess.h"
+#include "gonio/client/chart.h"
+#include "gonio/client/fit.h"
+#include "gonio/client/grid.h"
+#include "gonio/client/material.h"
+#include "gonio/client/models.h"
+#include "gonio/client/options.h"
+#include "gonio/client/pair_chunks.h"
+#include "gonio/client/put.h"
+#include "gonio/client/sampling.h"
+#include "gonio/client/select.h"
+#include "gonio/client/types.h"
 
 namespace grpc {
 class Channel;

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 
 namespace gonio {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "client/types.h"
+#include "gonio/client/types.h"
 
 namespace gonio::client {
 

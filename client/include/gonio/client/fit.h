@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "client/material.h"
+#include "gonio/client/material.h"
 
 namespace gonio::client {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
-#include "base/result.h"
-#include "models/description.h"
+#include "gonio/base/result.h"
+#include "gonio/models/description.h"
 
 namespace gonio {
 

@@ -8,6 +8,7 @@
 
 #include <cassert>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -33,12 +34,10 @@ struct Error {
   std::string allowed;  // what would have been accepted
 };
 
-// Builds the usual sentence: "<field> is <value>; allowed: <allowed>".
-inline Error bad_value(std::string field, std::string value, std::string allowed,
-                       ErrorCode code = ErrorCode::invalid_argument) {
-  std::string message = field + " is " + value + "; allowed: " + allowed;
-  return {code, std::move(message), std::move(field), std::move(value), std::move(allowed)};
-}
+// Builds the usual sentence: "<field> is <value>; allowed: <allowed>". Field and value may come
+// from outside: they are quoted as shown() quotes them (base/shown.h).
+Error bad_value(std::string_view field, std::string_view value, std::string_view allowed,
+                ErrorCode code = ErrorCode::invalid_argument);
 
 template <class T>
 class [[nodiscard]] Result {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <span>
 
-#include "base/result.h"
+#include "gonio/base/result.h"
 
 namespace gonio::client {
 

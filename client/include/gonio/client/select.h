@@ -20,8 +20,8 @@
 #include <variant>
 #include <vector>
 
-#include "client/fit.h"
-#include "client/material.h"
+#include "gonio/client/fit.h"
+#include "gonio/client/material.h"
 
 namespace gonio::client {
 

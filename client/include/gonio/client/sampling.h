@@ -16,8 +16,8 @@
 #include <span>
 #include <vector>
 
-#include "base/result.h"
-#include "client/types.h"
+#include "gonio/base/result.h"
+#include "gonio/client/types.h"
 
 namespace gonio::client {
 

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "client/fit.h"
+#include "gonio/client/fit.h"
 
 namespace gonio::client {
 

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "client/types.h"
+#include "gonio/client/types.h"
 
 namespace gonio::client {
 

@@ -11,9 +11,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/result.h"
-#include "engine/isa.h"
-#include "engine/material.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/isa.h"
+#include "gonio/engine/material.h"
 
 namespace gonio {
 

@@ -21,9 +21,9 @@
 #include <cstdint>
 #include <memory>
 
-#include "engine/evaluate.h"
-#include "engine/material.h"
-#include "engine/random_numbers.h"
+#include "gonio/engine/evaluate.h"
+#include "gonio/engine/material.h"
+#include "gonio/engine/random_numbers.h"
 
 namespace gonio {
 

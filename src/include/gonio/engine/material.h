@@ -11,9 +11,9 @@
 #include <variant>
 #include <vector>
 
-#include "base/result.h"
-#include "engine/isa.h"
-#include "models/description.h"
+#include "gonio/base/result.h"
+#include "gonio/engine/isa.h"
+#include "gonio/models/description.h"
 
 namespace gonio {
 
