@@ -1,4 +1,4 @@
-// What the tool writes of its models for others to read, and that README.md holds it.
+// What the tool writes of its models for others to read, and that their page holds it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -90,16 +90,16 @@ TEST(Markdown, TablesAreWhole) {
   }
 }
 
-TEST(Readme, HoldsTheModelsAsTheyAre) {
-  const std::string readme = read_file(GONIO_README);
+TEST(ModelsPage, HoldsTheModelsAsTheyAre) {
+  const std::string page = read_file(GONIO_MODELS_PAGE);
   const std::string begin = "<!-- models: begin (gonio models --markdown) -->\n";
   const std::string end = "<!-- models: end -->\n";
-  const auto from = readme.find(begin), to = readme.find(end);
+  const auto from = page.find(begin), to = page.find(end);
   ASSERT_NE(from, std::string::npos);
   ASSERT_NE(to, std::string::npos);
-  const std::string section = readme.substr(from + begin.size(), to - from - begin.size());
+  const std::string section = page.substr(from + begin.size(), to - from - begin.size());
   EXPECT_EQ(section, "\n" + shell("gonio models --markdown").out + "\n")
-      << "README.md is out of date; refresh it: tests/style/refresh_readme.sh " GONIO_PROGRAM;
+      << "src/models/README.md is out of date; refresh it: tests/style/refresh_readme.sh " GONIO_PROGRAM;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Speed against accuracy on this machine: all tables and figures of `gonio chart`, of which README.md shows two.
+# Speed against accuracy on this machine: all tables and figures of `gonio chart`, of which src/chart/README.md shows two.
 #
 #   tests/figures/chart.sh FOLDER [DATA]
 #

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Puts what `gonio models --markdown` prints between README.md's markers: tests/style/refresh_readme.sh [GONIO]
+# Puts what `gonio models --markdown` prints between the markers of src/models/README.md: tests/style/refresh_readme.sh [GONIO]
 # GONIO is the built tool, build/bin/gonio if not given.
 set -euo pipefail
 gonio=$(realpath "${1:-$(dirname "${BASH_SOURCE[0]}")/../../build/bin/gonio}")
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+cd "$(dirname "${BASH_SOURCE[0]}")/../../src/models"
 unset GONIO_SERVER
 for marker in begin end; do
   [ "$(grep -c "^<!-- models: $marker" README.md)" = 1 ] ||
-    { echo "README.md must have one line '<!-- models: $marker ... -->'" >&2; exit 1; }
+    { echo "src/models/README.md must have one line '<!-- models: $marker ... -->'" >&2; exit 1; }
 done
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
