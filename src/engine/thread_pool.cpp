@@ -33,7 +33,7 @@ struct ThreadPool::State {
   std::size_t jobs = 0;
   std::size_t asleep = 0;                 // threads; guarded
   std::atomic<std::size_t> waiting{0};    // the size of `ready`, to be looked at without the mutex
-  std::atomic<Clock::rep> last_brief{0};  // when a brief run was last asked for
+  std::atomic<Clock::rep> last_brief{0};  // when a brief run last ended
   bool closing = false;
   std::vector<std::thread> threads;
 
@@ -130,11 +130,13 @@ struct ThreadPool::State {
   // one pays with the next.
   bool shares_brief() {
     const Clock::rep now = Clock::now().time_since_epoch().count();
-    const Clock::rep before = last_brief.exchange(now);
-    if (Clock::duration(now - before) < kAlert) return true;
+    if (Clock::duration(now - last_brief.load()) < kAlert) return true;
     const auto lock = lock_soon(mutex);
     return asleep < threads.size();
   }
+  // The end counts, and not the beginning: what comes between two runs is then the caller's own
+  // time, however long the runs themselves take.
+  void end_brief() { last_brief.store(Clock::now().time_since_epoch().count()); }
 };
 
 ThreadPool::ThreadPool(int threads, std::size_t max_jobs) : state_(std::make_unique<State>()) {
@@ -172,7 +174,8 @@ void ThreadPool::run(std::size_t tiles, const std::function<void(std::size_t)>& 
   };
   // One tile of the job for each helper: a helper that comes late finds nothing left to do.
   const std::size_t helpers = std::min(tiles - 1, state_->threads.size());
-  if (tiles <= 1 || (brief && !state_->shares_brief())) return drain(0);
+  if (tiles <= 1) return drain(0);
+  if (brief && !state_->shares_brief()) return drain(0), state_->end_brief();
   const auto end = [&](bool) {
     const auto lock = lock_soon(mutex);
     done = true;
@@ -185,10 +188,12 @@ void ThreadPool::run(std::size_t tiles, const std::function<void(std::size_t)>& 
   }
   state_->add(active);
   drain(0);
-  if (state_->withdraw(active)) return;
-  stay_alert([&] { return done.load(); });
-  std::unique_lock lock = lock_soon(mutex);
-  finished.wait(lock, [&] { return done.load(); });
+  if (!state_->withdraw(active)) {
+    stay_alert([&] { return done.load(); });
+    std::unique_lock lock = lock_soon(mutex);
+    finished.wait(lock, [&] { return done.load(); });
+  }
+  if (brief) state_->end_brief();
 }
 
 int ThreadPool::threads() const { return static_cast<int>(state_->threads.size()); }

@@ -21,6 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXTRA = [
     "--extra-arg=-Wno-unknown-warning-option",
     "--extra-arg=-Wno-ignored-optimization-argument",
+    "--extra-arg=-Wno-unused-command-line-argument",
     "--extra-arg=-Wno-sign-conversion",
 ]
 # The path-sensitive analysis pays in the core. Around it, gRPC's headers make it take as long as everything else together
