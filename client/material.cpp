@@ -62,6 +62,13 @@ Result<Material> Material::from_json(std::string_view json) {
   return Material(wire::to_bytes(*message));
 }
 
+Material Material::rotated(double degrees) const {
+  gonio::v1::Material message;
+  message.ParseFromString(wire_);  // of our own making
+  message.set_rotation(degrees);
+  return Material(wire::to_bytes(message));
+}
+
 std::string Material::to_json() const {
   gonio::v1::Material message;
   if (!message.ParseFromString(wire_)) return "{}";

@@ -69,6 +69,7 @@ Result<LobeSpec> to_lobe(const std::string& model, const Struct& parameters,
 
 Result<MaterialSpec> to_spec(const v1::Material& material, const std::string& prefix) {
   MaterialSpec spec;
+  if (material.has_rotation()) spec.rotation = material.rotation();
   if (!material.model().empty()) {
     auto lobe = to_lobe(material.model(), material.parameters(), prefix);
     if (!lobe) return lobe.error();
@@ -173,6 +174,8 @@ Result<Material> build_material(const v1::Material& material, std::string_view p
   if (material.model() == kMeasuredModel) {
     const auto form = check_form(material, field_of(prefix));
     if (!form) return form.error();
+    const auto rotation = check_rotation(material.rotation(), prefix);
+    if (!rotation) return rotation.error();
     return build_measured(material.parameters(), std::string(prefix), find_file);
   }
   const auto spec = material_spec(material, prefix);

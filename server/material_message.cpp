@@ -44,6 +44,7 @@ v1::Material to_wire(const MaterialSpec& spec) {
   }
   if (spec.diffuse) fill(*spec.diffuse, *material.mutable_diffuse());
   for (const LobeSpec& lobe : spec.specular) fill(lobe, *material.add_specular());
+  if (spec.rotation) material.set_rotation(*spec.rotation);
   return material;
 }
 

@@ -158,9 +158,15 @@ Result<PreparedMaterial> Materials::build(const v1::Material& material) const {
     if (!built) return built.error();
     return PreparedMaterial(std::move(*built));
   }
-  {
-    const std::shared_lock lock(locks_->stored);
-    if (const Stored* stored = find(material.name())) return stored->material;
+  const auto stored = find_copy(material.name());
+  if (stored && !material.has_rotation()) return *stored;
+  if (stored) {
+    const auto rotation = check_rotation(material.rotation(), "material.");
+    if (!rotation) return rotation.error();
+    // One that turning does not change keeps its sampler.
+    const Material& unturned = stored->material();
+    if (!unturned.has_tangents() || material.rotation() == 0) return *stored;
+    return PreparedMaterial(unturned.turned(material.rotation()));
   }
   return bad_value("material.name", "\"" + material.name() + "\"",
                    "a stored material, such as: " + near_names(material.name(), names()),
@@ -176,6 +182,13 @@ Result<PreparedMaterial> Materials::build_local(const v1::Material& material,
   auto built = build(material);
   if (built && state) local_files_->keep(bytes, *state, *built);
   return built;
+}
+
+std::optional<PreparedMaterial> Materials::find_copy(std::string_view name) const {
+  const std::shared_lock lock(locks_->stored);
+  const Stored* stored = find(name);
+  if (stored == nullptr) return std::nullopt;
+  return stored->material;
 }
 
 const Materials::Stored* Materials::find(std::string_view name) const {

@@ -86,6 +86,7 @@ class Materials {
   };
 
   [[nodiscard]] const Stored* find(std::string_view name) const;  // locks_->stored is held
+  [[nodiscard]] std::optional<PreparedMaterial> find_copy(std::string_view name) const;
 
   std::map<std::string, Stored, std::less<>> stored_;
   std::size_t put_bytes_ = 0, put_quota_ = 0;

@@ -13,6 +13,8 @@ Material M, in this order:
   FILE.json, DIR/FILE   a file with such JSON
   FILE.binary           a measured material in MERL's format (not with --server)
   NAME                  a material that the server holds ('gonio models' lists them)
+Beside "model", "diffuse", "specular" or "name", "rotation": DEG turns the tangents about the normal, -180 to
+180 degrees, counter-clockwise seen from above.
 )";
 
 const char* const kFlagHelp =

@@ -128,9 +128,10 @@ void look_at_samples(const Subject& subject, const Direction& wi, const Subdivis
 std::vector<Angles> incidences_of(const Subject& subject, std::uint64_t seed) {
   std::vector<Angles> all;
   const bool isotropic = is_isotropic(subject, seed);
+  const double phi = isotropic ? 0 : subject.tangents;
   for (const double theta : kThetas) {
-    all.push_back({theta * kDegree, 0});
-    if (!isotropic && theta > 0) all.push_back({theta * kDegree, 90 * kDegree});
+    all.push_back({theta * kDegree, phi});
+    if (!isotropic && theta > 0) all.push_back({theta * kDegree, phi + 90 * kDegree});
   }
   return all;
 }
@@ -145,10 +146,11 @@ Incidence look_from(const Angles& angles, const Subject& subject, std::uint64_t 
                 {}}})[0];
   const double length = std::hypot(given.wi[0], given.wi[1], given.wi[2]);
   const Direction unit{given.wi[0] / length, given.wi[1] / length, given.wi[2] / length};
-  Subdivision subdivision(unit, 1 + 2 * channels, [&](const std::vector<double>& wo) {
+  const auto columns = [&](const std::vector<double>& wo) {
     if (stop && stop()) return std::vector<double>(wo.size() / 3 * (1 + 2 * channels));
     return columns_of(subject, given.wi, wo);
-  });
+  };
+  Subdivision subdivision(unit, 1 + 2 * channels, columns, subject.tangents);
   Incidence at;
   at.theta = angles.theta, at.phi = angles.phi;
   at.mass = subdivision.integral(0);

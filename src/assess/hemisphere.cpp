@@ -29,9 +29,10 @@ void tidy(std::vector<double>& edges) {
 
 }  // namespace
 
-Subdivision::Subdivision(const Direction& wi, std::size_t columns, const Integrands& integrands)
+Subdivision::Subdivision(const Direction& wi, std::size_t columns, const Integrands& integrands,
+                         double tangents)
     : wi_(wi), columns_(columns + 1) {
-  lay_first_cells();
+  lay_first_cells(tangents);
   integrals_ = integrate(cells_, integrands);
   scales_.assign(columns_, 0);
   for (std::size_t i = 0; i < integrals_.size(); ++i) scales_[i % columns_] += integrals_[i];
@@ -43,10 +44,10 @@ Subdivision::Subdivision(const Direction& wi, std::size_t columns, const Integra
   }
 }
 
-void Subdivision::lay_first_cells() {
+void Subdivision::lay_first_cells(double tangents) {
   const double of_wi = std::atan2(wi_[1], wi_[0]) / (2 * kPi);
   u_edges_ = {0, 1};
-  for (const double start : {0.0, of_wi}) {
+  for (const double start : {tangents / (2 * kPi), of_wi}) {
     for (int quarter = 0; quarter < 4; ++quarter) {
       for (int k = -7; k <= 7; ++k) {
         const double size = k == 0 ? 0 : std::ldexp(1. / 16, -2 * (std::abs(k) - 1));

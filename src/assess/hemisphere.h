@@ -30,7 +30,9 @@ struct Bin {
 
 class Subdivision {
  public:
-  Subdivision(const Direction& wi, std::size_t columns, const Integrands& integrands);
+  // `tangents`: the azimuth of the material's u, in radians.
+  Subdivision(const Direction& wi, std::size_t columns, const Integrands& integrands,
+              double tangents = 0);
 
   [[nodiscard]] double integral(std::size_t column) const { return totals_[column]; }
   [[nodiscard]] double solid_angle() const { return totals_.back(); }
@@ -51,7 +53,7 @@ class Subdivision {
     bool across_u = false;
   };
 
-  void lay_first_cells();
+  void lay_first_cells(double tangents);
   void refine(const Integrands& integrands);
   void settle(std::size_t cell, const std::vector<double>& halves, std::vector<std::size_t>& next);
   [[nodiscard]] std::array<Cell, 4> halves_of(const Cell& cell) const;

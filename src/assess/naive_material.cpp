@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "assess/naive.h"
+#include "engine/degrees.h"
 #include "engine/material_impl.h"
 
 namespace gonio::assess {
@@ -131,12 +132,23 @@ std::optional<NaiveMaterial<T>> NaiveMaterial<T>::of(const Material& material) {
     if (form == nullptr) return std::nullopt;
     naive.lobes_.push_back(std::make_shared<const Lobe>(Lobe{form, part.lobe}));
   }
+  const auto turn = rotation_by(material.impl().rotation);
+  naive.cos_ = static_cast<T>(turn.cos);
+  naive.sin_ = static_cast<T>(turn.sin);
   return naive;
 }
 
+// From the material's tangents, as one would write it.
 template <class T>
-void NaiveMaterial<T>::evaluate(const Direction& wi, const Direction& wo, std::span<T> f) const {
-  const Direction h = Naive<T>::half(wi, wo);
+typename NaiveMaterial<T>::Direction NaiveMaterial<T>::seen(const Direction& w) const {
+  if (sin_ == 0 && cos_ == 1) return w;
+  return {cos_ * w[0] + sin_ * w[1], cos_ * w[1] - sin_ * w[0], w[2]};
+}
+
+template <class T>
+void NaiveMaterial<T>::evaluate(const Direction& given_i, const Direction& given_o,
+                                std::span<T> f) const {
+  const Direction wi = seen(given_i), wo = seen(given_o), h = Naive<T>::half(wi, wo);
   const Pair<T> pair{wi, wo, h, Naive<T>::dot(h, wi)};
   std::ranges::fill(f, T(0));
   for (const auto& lobe : lobes_) {

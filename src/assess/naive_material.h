@@ -25,7 +25,9 @@ class NaiveMaterial {
  private:
   struct Lobe;
   NaiveMaterial() = default;
+  [[nodiscard]] Direction seen(const Direction& w) const;
   std::vector<std::shared_ptr<const Lobe>> lobes_;
+  T cos_ = 1, sin_ = 0;  // of the material's rotation
 };
 
 extern template class NaiveMaterial<float>;

@@ -1,5 +1,7 @@
 #include "assess/subject.h"
 
+#include <numbers>
+
 #include "engine/material_impl.h"
 
 namespace gonio::assess {
@@ -97,6 +99,7 @@ Subject subject_of(const Sampler& sampler, Isa isa) {
             return precision == Precision::fast ? draw<float>(sampler, wi, count, numbers, isa)
                                                 : draw<double>(sampler, wi, count, numbers, isa);
           },
+      .tangents = material.impl().rotation * (std::numbers::pi / 180),
       .rarer = rarer_than_outside(material),
       .truth = Truth(material),
       .roundings = Truth::of_roundings(material, kStep),

@@ -46,6 +46,8 @@ struct Subject {
                       const NumberSource& numbers, Precision)>
       draw;
 
+  double tangents = 0;  // the azimuth of u, in radians
+
   // Refractive indices below 1 of its dielectrics: beyond an angle they reflect all.
   std::vector<double> rarer;
 

@@ -7,6 +7,7 @@
 #include "engine/constants.h"
 #include "engine/kernel.h"
 #include "engine/packet_io.h"
+#include "numeric/dual.h"
 #include "numeric/number.h"
 #include "parts/geometry.h"
 
@@ -25,6 +26,17 @@ struct Block {
   typename Kind::template Terms<N> terms[kBlock];
 };
 
+// What a packet adds to the values of lobes before, or to their derivatives, which are all that is
+// stored of dual numbers.
+template <class Real, class Out>
+GONIO_INLINE Real added(const Real& value, const Out* to) {
+  return value + Real::load(to);
+}
+template <class Number, class Out>
+GONIO_INLINE Dual<Number> added(const Dual<Number>& value, const Out* to) {
+  return {value.v, value.d + Number::load(to)};
+}
+
 // One channel of a packet.
 template <bool kAccumulate, class N, class Kind>
 GONIO_INLINE void write_value(const Block<N, Kind>& block, std::size_t p,
@@ -34,7 +46,7 @@ GONIO_INLINE void write_value(const Block<N, Kind>& block, std::size_t p,
   const Real value = Kind::template value<N>(block.terms[p], constants.wide[c],
                                              constants.template channel<typename N::RealScalar>(c));
   Real result = select(block.valid[p], min(N::largest(), value), Real(0));
-  if constexpr (kAccumulate) result = min(N::largest(), result + Real::load(to));
+  if constexpr (kAccumulate) result = min(N::largest(), added(result, to));
   result.store(to);
 }
 
@@ -76,6 +88,34 @@ template <class N, class Kind, class In>
   }
 }
 
+// The first step of a block's packets, seen from the material's tangents if these are turned; which
+// lanes are valid in all of them.
+template <bool kTurned, class N, class Kind, class In, class Beside>
+GONIO_INLINE unsigned stage_block(
+    const Constants<Kind, typename N::WideScalar>& given,
+    const typename Kind::template Shape<typename N::WideScalar>& shape, const KernelInput<In>& in,
+    std::size_t begin, std::size_t packets, Block<N, Kind>& block, Beside& beside) {
+  unsigned valid = kAllLanes;
+  for (std::size_t p = 0; p < packets; ++p) {
+    Geometry<N> g = load_geometry<N>(in, begin + p * raw::kWidth);
+    if constexpr (kTurned) g.turn(given.tangents.rotation);
+    block.valid[p] = g.valid;
+    valid &= g.valid.bits();
+    block.stage[p] = Kind::template stage<N>(shape, g);
+    beside.stage(p, shape, g);
+  }
+  return valid;
+}
+
+template <class Kind, class S>
+GONIO_INLINE bool is_turned(const Constants<Kind, S>& given) {
+  if constexpr (has_tangents<Kind>()) {
+    return given.tangents.turned;
+  } else {
+    return false;
+  }
+}
+
 // `beside` sees each packet's geometry, and each block's terms: sampling adds its densities there.
 template <class N, class Kind, class In, class Beside>
 GONIO_INLINE void analytic_with(const void* constants, const KernelInput<In>& in,
@@ -83,19 +123,19 @@ GONIO_INLINE void analytic_with(const void* constants, const KernelInput<In>& in
   const auto& given = *static_cast<const Constants<Kind, typename N::WideScalar>*>(constants);
   // A copy that no store can alias, so that it stays in registers.
   const auto shape = given.shape;
+  [[maybe_unused]] const bool turned = is_turned(given);
   Block<N, Kind> block;
   for (std::size_t begin = 0; begin < in.count; begin += kBlock * raw::kWidth) {
     // Not std::min: without optimisation it would be a symbol that objects of all instruction sets
     // share.
     const std::size_t left = (in.count - begin) / raw::kWidth;
     const std::size_t packets = left < kBlock ? left : kBlock;
-    unsigned valid = kAllLanes;
-    for (std::size_t p = 0; p < packets; ++p) {
-      const Geometry<N> g = load_geometry<N>(in, begin + p * raw::kWidth);
-      block.valid[p] = g.valid;
-      valid &= g.valid.bits();
-      block.stage[p] = Kind::template stage<N>(shape, g);
-      beside.stage(p, shape, g);
+    unsigned valid = 0;
+    if constexpr (has_tangents<Kind>()) {
+      valid = turned ? stage_block<true>(given, shape, in, begin, packets, block, beside)
+                     : stage_block<false>(given, shape, in, begin, packets, block, beside);
+    } else {
+      valid = stage_block<false>(given, shape, in, begin, packets, block, beside);
     }
     for (std::size_t p = 0; p < packets; ++p)
       block.refined[p] = Kind::template refine<N>(shape, block.stage[p]);

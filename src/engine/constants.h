@@ -7,8 +7,27 @@
 
 #include "gonio/engine/material.h"
 #include "numeric/inline.h"
+#include "parts/rotation.h"
 
 namespace gonio {
+
+// Whether a kind's values depend on where the tangents are, by its model's description.
+template <class Kind>
+constexpr bool has_tangents() {
+  if constexpr (requires { Kind::Drawn::kDescription; }) {
+    return Kind::Drawn::kDescription.has_tangents();
+  } else {
+    return false;
+  }
+}
+
+// How the tangents of a material are turned; nothing for a kind that has none.
+template <class S>
+struct Tangents {
+  Rotation<S> rotation;
+  bool turned = false;
+};
+struct NoTangents {};
 
 // S is double, or Dual<double> for derivatives.
 template <class Kind, class S = double>
@@ -16,6 +35,7 @@ struct Constants {
   static constexpr bool kForFloat = std::is_same_v<S, double>;
   typename Kind::template Shape<S> shape;
   int channels;
+  [[no_unique_address]] std::conditional_t<has_tangents<Kind>(), Tangents<S>, NoTangents> tangents;
   typename Kind::template Channel<S> wide[kMaxChannels];
   // The same numbers again: float32 arithmetic takes its constants from memory without a
   // conversion.

@@ -13,21 +13,26 @@ std::string field_of(const NamedLobe& lobe, const Parameter& p) {
 }
 
 struct Choice {
-  std::size_t lobe;
+  std::vector<std::size_t> lobes;  // that depend on it
   std::string_view parameter;
 };
 
 Result<Choice> find_parameter(const CheckedMaterial& material, std::string_view by) {
+  if (by == kRotation.name) {
+    Choice all{{}, kRotation.name};
+    for (std::size_t i = 0; i < material.lobes.size(); ++i) all.lobes.push_back(i);
+    return all;
+  }
   std::string allowed;
   for (std::size_t i = 0; i < material.lobes.size(); ++i) {
     for (const Parameter& p : material.lobes[i].model->parameters) {
       if (p.kind == Kind::word) continue;
       const std::string field = field_of(material.named[i], p);
-      if (field == by) return Choice{i, p.name};
+      if (field == by) return Choice{{i}, p.name};
       allowed += (allowed.empty() ? "" : ", ") + field;
     }
   }
-  return bad_value("by", '"' + std::string(by) + '"', allowed);
+  return bad_value("by", '"' + std::string(by) + '"', allowed + ", " + std::string(kRotation.name));
 }
 
 }  // namespace
@@ -38,15 +43,16 @@ Result<MaterialDerivative> MaterialDerivative::create(const MaterialSpec& spec,
   if (!checked) return checked.error();
   const Result<Choice> choice = find_parameter(*checked, by);
   if (!choice) return choice.error();
-  // The other lobes do not depend on this one's parameter.
-  const CheckedLobe& lobe = checked->lobes[choice->lobe];
-  PreparedLobe prepared =
-      prepare_derivative(*lobe.model, lobe.kind, lobe.values, checked->channels, choice->parameter);
   auto impl = std::make_shared<Material::Impl>();
   impl->channels = checked->channels;
-  impl->parts.push_back(
-      {MaterialPart::Source::derivative, prepared.kernel, std::move(prepared.constants)});
-  impl->bytes = prepared.bytes;
+  for (const std::size_t i : choice->lobes) {
+    const CheckedLobe& lobe = checked->lobes[i];
+    PreparedLobe prepared = prepare_derivative(*lobe.model, lobe.kind, lobe.values,
+                                               checked->channels, choice->parameter);
+    impl->parts.push_back(
+        {MaterialPart::Source::derivative, prepared.kernel, std::move(prepared.constants)});
+    impl->bytes += prepared.bytes;
+  }
   return MaterialDerivative(Material(std::move(impl)));
 }
 

@@ -14,7 +14,8 @@ namespace gonio {
 
 class MaterialDerivative {
  public:
-  // df/dp with p named as in errors: "parameters.s", "specular[1].parameters.f0". By a colour,
+  // df/dp with p named as in errors: "parameters.s", "specular[1].parameters.f0", or "rotation" (by
+  // the degree). By a colour,
   // channel c has the derivative of f_c by the colour's channel c (all other channels' are 0).
   // Errors are those of Material::create, or name what can be chosen as "by".
   static Result<MaterialDerivative> create(const MaterialSpec& spec, std::string_view by);

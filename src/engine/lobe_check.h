@@ -21,8 +21,8 @@ struct NamedLobe {
 
 struct CheckedLobe {
   const ModelDescription* model;
-  std::size_t kind;  // see prepare()
-  ParameterValues<double> values;
+  std::size_t kind;                // see prepare()
+  ParameterValues<double> values;  // of the model's table, and the material's rotation
 };
 
 // The word of the parameter `name`, as its kind has it; empty if the model has no such word.

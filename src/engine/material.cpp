@@ -39,6 +39,7 @@ ErrorBound worse(const ErrorBound& a, const ErrorBound& b) {
   return a.relative < b.relative ? b : a;
 }
 
+// `lobe` says how it is turned.
 void add_part(Material::Impl& material, const CheckedLobe& lobe) {
   PreparedLobe prepared = prepare(*lobe.model, lobe.kind, lobe.values, material.channels);
   material.parts.push_back({MaterialPart::Source::analytic, prepared.kernel,
@@ -49,7 +50,17 @@ void add_part(Material::Impl& material, const CheckedLobe& lobe) {
   material.bytes += prepared.bytes;
 }
 
+void turn(CheckedLobe& lobe, double degrees) { lobe.values.set(kRotation.name, {degrees}); }
+
 }  // namespace
+
+Outcome check_rotation(double degrees, std::string_view prefix) {
+  ChannelCount one;
+  const auto checked = check_numbers(std::string(prefix) + std::string(kRotation.name), kRotation,
+                                     std::vector{degrees}, one);
+  if (!checked) return checked.error();
+  return Ok{};
+}
 
 Result<CheckedMaterial> check_material(const MaterialSpec& spec, std::string_view prefix) {
   Result<std::vector<NamedLobe>> named = list_lobes(spec, prefix);
@@ -62,6 +73,10 @@ Result<CheckedMaterial> check_material(const MaterialSpec& spec, std::string_vie
     material.lobes.push_back(std::move(checked).value());
   }
   material.channels = channels.count;
+  if (!spec.rotation) return material;
+  if (Outcome rotation = check_rotation(*spec.rotation, prefix); !rotation) return rotation.error();
+  material.rotation = *spec.rotation;
+  for (CheckedLobe& lobe : material.lobes) turn(lobe, material.rotation);
   return material;
 }
 
@@ -70,6 +85,7 @@ Result<Material> Material::create(const MaterialSpec& spec, std::string_view pre
   if (!checked) return checked.error();
   auto impl = std::make_shared<Impl>();
   impl->channels = checked->channels;
+  impl->rotation = checked->rotation;
   for (const CheckedLobe& lobe : checked->lobes) add_part(*impl, lobe);
   return Material(std::move(impl));
 }
@@ -94,6 +110,25 @@ Material Material::from_table(std::shared_ptr<const MeasuredTable> table,
                              ? MaterialPart::Source::measured_linear
                              : MaterialPart::Source::measured_nearest,
                          0, std::shared_ptr<const void>(std::move(owner), constants)});
+  return Material(std::move(impl));
+}
+
+bool Material::has_tangents() const {
+  return std::any_of(impl_->parts.begin(), impl_->parts.end(), [](const MaterialPart& part) {
+    return part.lobe != nullptr && part.lobe->model->has_tangents();
+  });
+}
+
+Material Material::turned(double degrees) const {
+  if (!has_tangents()) return *this;
+  auto impl = std::make_shared<Impl>();
+  impl->channels = impl_->channels;
+  impl->rotation = std::remainder(impl_->rotation + degrees, 360.0);
+  for (const MaterialPart& part : impl_->parts) {
+    CheckedLobe lobe = *part.lobe;
+    turn(lobe, impl->rotation);
+    add_part(*impl, lobe);
+  }
   return Material(std::move(impl));
 }
 

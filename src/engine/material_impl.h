@@ -32,6 +32,7 @@ struct Material::Impl {
   ErrorBound fast, reference;
   std::size_t bytes = 0;
   std::shared_ptr<const MeasuredTable> table;  // of a measured material, else null
+  double rotation = 0;                         // of the tangents, in degrees
 };
 
 // The checked lobes of a specification, in order: the diffuse base first.
@@ -39,6 +40,7 @@ struct CheckedMaterial {
   std::vector<NamedLobe> named;
   std::vector<CheckedLobe> lobes;
   int channels = 1;
+  double rotation = 0;
 };
 Result<CheckedMaterial> check_material(const MaterialSpec& spec, std::string_view prefix);
 

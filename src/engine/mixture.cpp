@@ -172,12 +172,13 @@ double best_shares(const Quadrature& at, bool with_cosine, Shares& shares) {
 void tabulate_shares(const Material::Impl& material, Sampler::Impl& sampler) {
   const FlushToZero flush;
   std::array<Shares, kNodes> with{}, without{};
+  const double azimuth = std::numbers::pi / 4 + material.rotation * (std::numbers::pi / 180);
   // A table that knows nothing somewhere needs it.
   bool cosine = sampler.measured != nullptr;
   for (int i = 0; i < kNodes; ++i) {
     // The first node stands for what is next to grazing.
     const double root = std::max(i, 1) / (kNodes - 1.0) - (i == 0 ? 0.5 / (kNodes - 1.0) : 0);
-    const Quadrature at(material, sampler, root * root, std::numbers::pi / 4);
+    const Quadrature at(material, sampler, root * root, azimuth);
     const auto node = static_cast<std::size_t>(i);
     const double moment = best_shares(at, true, with[node]);
     const double moment_without = best_shares(at, false, without[node]);

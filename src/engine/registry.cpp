@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/degrees.h"
 #include "engine/prepare.h"
 #include "models/all.h"
 #include "numeric/dual.h"
@@ -38,6 +39,19 @@ constexpr ModelDescription kMeasured{
                           "away from cell boundaries"},
     .albedo_limit = 0};
 
+// Kernels turn the directions of kinds that have_tangents(): those of all models that do.
+template <class... Kinds>
+constexpr bool all_have_tangents(TypeList<Kinds...>) {
+  return (has_tangents<Kinds>() && ...);
+}
+template <class... Models>
+constexpr bool kernels_see_tangents(TypeList<Models...>) {
+  return (
+      (Models::kDescription.has_tangents() ? all_have_tangents(typename Models::Kinds{}) : true) &&
+      ...);
+}
+static_assert(kernels_see_tangents(AllModels{}));
+
 template <class... Models>
 std::vector<ModelDescription> describe(TypeList<Models...>) {
   return {Models::kDescription..., kMeasured};
@@ -50,12 +64,22 @@ struct Prepared {
 template <class S>
 using PrepareFn = Prepared (*)(const ParameterValues<S>& values, int channels);
 
+// How a material's tangents are turned, which its lobes' values say in degrees.
+template <class S>
+Tangents<S> tangents_of(const ParameterValues<S>& values) {
+  const auto found = values.all().find(kRotation.name);
+  if (found == values.all().end()) return {};
+  const S degrees = found->second.front();
+  return {rotation_by(degrees), is_turn(degrees)};
+}
+
 template <class Kind, class S>
 Prepared prepare_kind(const ParameterValues<S>& values, int channels) {
   using Made = Constants<Kind, S>;
   auto constants = std::make_shared<Made>();
   constants->shape = Kind::shape(values);
   constants->channels = channels;
+  if constexpr (has_tangents<Kind>()) constants->tangents = tangents_of(values);
   for (int c = 0; c < channels; ++c) {
     constants->wide[c] = Kind::channel(values, c);
     if constexpr (Made::kForFloat)

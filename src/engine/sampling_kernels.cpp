@@ -70,10 +70,22 @@ GONIO_INLINE void draw_with(const DrawRun<T>& given, const DrawOne& draw_one) {
 
 template <class Kind, class T>
 void draw(const void* constants, const DrawRun<T>& run) {
-  const auto shape = static_cast<const Constants<Kind>*>(constants)->shape;
-  draw_with(run, [&](const auto& wi, const auto& xi) {
+  const auto& given = *static_cast<const Constants<Kind>*>(constants);
+  const auto shape = given.shape;
+  const auto draw_one = [&](const auto& wi, const auto& xi) {
     return Kind::Drawn::template draw<DrawNumbers<T>>(shape, wi, xi);
-  });
+  };
+  if constexpr (has_tangents<Kind>()) {
+    if (given.tangents.turned) {
+      const auto turn = given.tangents.rotation;
+      // In what the draw is computed in: it rounds as much.
+      draw_with(run, [&](const auto& wi, const auto& xi) {
+        return out_of(turn, draw_one(into(turn, wi), xi));
+      });
+      return;
+    }
+  }
+  draw_with(run, draw_one);
 }
 
 // By cos(theta_o) / pi.

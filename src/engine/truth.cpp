@@ -22,7 +22,11 @@ using Results = std::span<long double>;
 template <class Kind>
 void add_lobe(const void* constants, const Pair& pair, Results f) {
   const auto& k = *static_cast<const Constants<Kind, LongDouble>*>(constants);
-  const auto stage = Kind::template stage<Extended>(k.shape, pair);
+  Pair seen = pair;
+  if constexpr (has_tangents<Kind>()) {
+    if (k.tangents.turned) seen.turn(k.tangents.rotation);
+  }
+  const auto stage = Kind::template stage<Extended>(k.shape, seen);
   const auto refined = Kind::template refine<Extended>(k.shape, stage);
   const auto terms = Kind::template terms<Extended>(k.shape, stage, refined);
   for (std::size_t c = 0; c < f.size(); ++c) {

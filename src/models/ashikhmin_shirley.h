@@ -68,7 +68,8 @@ struct AshikhminShirley {
       .role = Role::specular,
       .parameters = kParameters,
       .fast = {.relative = 3e-6},
-      .reference = {.relative = 3e-9, .note = "3e-11 for exponents up to 1000"}};
+      .reference = {.relative = 3e-9, .note = "3e-11 for exponents up to 1000"},
+      .along_tangents = {"nu", "nv"}};
   using Kinds = TypeList<AshikhminShirley>;
 
   template <class S>

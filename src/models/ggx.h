@@ -33,7 +33,8 @@ struct Ggx {
       .role = Role::specular,
       .parameters = kParameters,
       .fast = {.relative = 3e-6},
-      .reference = {.relative = 3e-9, .note = "3e-11 for roughness of 0.03 and more"}};
+      .reference = {.relative = 3e-9, .note = "3e-11 for roughness of 0.03 and more"},
+      .along_tangents = roughness::kAlongTangents};
   using Kinds = FresnelKinds<Ggx>;
 
   template <class S>

@@ -15,6 +15,7 @@
 
 #include "numeric/inline.h"
 #include "numeric/vec.h"
+#include "parts/rotation.h"
 
 namespace gonio {
 
@@ -93,6 +94,16 @@ class Geometry {
     real_wo = N::inverse_length(error_o) * given_o;
     // min may lose a NaN, but then the length's comparison fails.
     valid = near_unit(error_i) & near_unit(error_o) & (Real(0) < min(given_i.z, given_o.z));
+  }
+
+  // Goes on with the directions as seen from tangents that are turned about the normal. Turned in
+  // float64 after all that cancels, they and H keep their digits; lengths, cosines with the normal
+  // and mirror_cosine() are what they were.
+  GONIO_INLINE void turn(const Rotation<typename N::WideScalar>& tangents) {
+    wi = into(tangents, wi), wo = into(tangents, wo);
+    half.h = into(tangents, half.h);
+    real_wi = {N::real(wi.x), N::real(wi.y), real_wi.z};
+    real_wo = {N::real(wo.x), N::real(wo.y), real_wo.z};
   }
 
   GONIO_INLINE Real cos_i() const { return real_wi.z; }

@@ -1,6 +1,8 @@
 // Roughness along both tangents, as the parameters of the anisotropic models.
 #pragma once
 
+#include <array>
+
 #include "gonio/models/description.h"
 
 namespace gonio::roughness {
@@ -19,5 +21,7 @@ inline constexpr Parameter kAlphaY{.name = "alpha_y",
                                    .upper = 1,
                                    .start = 0.3,
                                    .scale = Scale::logarithmic};
+
+inline constexpr std::array kAlongTangents{kAlphaX.name, kAlphaY.name};
 
 }  // namespace gonio::roughness

@@ -33,6 +33,7 @@ MaterialSpec rounded(const MaterialSpec& spec, int digits) {
   if (result.model) round_lobe(*result.model, digits);
   if (result.diffuse) round_lobe(*result.diffuse, digits);
   for (LobeSpec& lobe : result.specular) round_lobe(lobe, digits);
+  if (result.rotation) *result.rotation = to_digits(*result.rotation, digits);
   return result;
 }
 

@@ -35,6 +35,20 @@ TEST(Material, AllFormsAgree) {
   EXPECT_EQ(Material::named("gold").to_json(), R"({"name":"gold"})");
 }
 
+TEST(Material, ItsRotationGoesThroughJson) {
+  const Material gold = Material::named("gold").rotated(30);
+  EXPECT_EQ(gold.to_json(), R"({"name":"gold","rotation":30})");
+  EXPECT_EQ(Material::from_json(gold.to_json())->wire(), gold.wire());
+  const auto written = Material::from_json(R"({"model": "ggx", "rotation": -12.5})");
+  ASSERT_TRUE(written.ok()) << written.error().message;
+  EXPECT_EQ(written->wire(), Material::model("ggx").rotated(-12.5).wire());
+  // A given 0 is not the same as none: a fit holds it.
+  EXPECT_EQ(Material::model("ggx").rotated(0).to_json(), R"({"model":"ggx","rotation":0})");
+  const auto word = Material::from_json(R"({"model": "ggx", "rotation": "left"})");
+  ASSERT_FALSE(word.ok());
+  EXPECT_THAT(word.error().message, HasSubstr("rotation"));
+}
+
 // Maps of a message come in any order; what is written, cached and compared does not.
 TEST(Material, IsTheSameTextAndBytesAlways) {
   const client::Parameters many{

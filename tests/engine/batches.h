@@ -47,6 +47,8 @@ inline std::vector<NamedMaterial> all_kinds_of_material() {
   add("cook_torrance", {metal, {}, {}});
   add("ggx in 64 channels", {glass, {}, {}});
   add("sum", {{}, base, {phong, metal, coat, phong}});
+  add("ashikhmin_shirley, turned", {phong, {}, {}, 30});
+  add("sum, turned", {{}, base, {glass, metal}, -77.7});
   const auto table = MeasuredTable::from_values(tabulate(glossy_example));
   all.push_back({"measured", Material::from_table(*table, Interpolation::linear)});
   all.push_back({"measured, nearest", Material::from_table(*table, Interpolation::nearest)});

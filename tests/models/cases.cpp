@@ -3,6 +3,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "gonio/engine/registry.h"
 #include "models/analytic_models.h"
 
 namespace gonio::testing {
@@ -245,15 +246,20 @@ std::vector<Case> sum_cases() {
           sum("four lobes", rgb, {coat, metal, brushed, coat})};
 }
 
-}  // namespace
-
-std::vector<std::string> models_with_cases() {
-  std::vector<std::string> names = analytic_models();
-  names.insert(names.begin(), "sum");
-  return names;
+// Some of the cases again with their tangents turned; one of a model that has none.
+void add_turned(std::vector<Case>& cases, bool has_tangents) {
+  const std::size_t given = cases.size(), step = given / 5;
+  std::vector<double> angles{30, -117.3, 90, 1e-3, 180};
+  if (!has_tangents) angles.resize(1);
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    Case turned = cases[(k * step + step / 2) % given];
+    turned.name += ", turned by " + text(angles[k]);
+    turned.spec.rotation = angles[k];
+    cases.push_back(std::move(turned));
+  }
 }
 
-std::vector<Case> cases_of(std::string_view model) {
+std::vector<Case> unturned_cases_of(std::string_view model) {
   if (model == "lambertian") return lambertian_cases();
   if (model == "ashikhmin_shirley") return ashikhmin_shirley_cases();
   if (model == "cook_torrance") return cook_torrance_cases();
@@ -265,6 +271,20 @@ std::vector<Case> cases_of(std::string_view model) {
   if (model == "ward") return ward_cases();
   if (model == "sum") return sum_cases();
   throw std::out_of_range("no cases for the model " + std::string(model));
+}
+
+}  // namespace
+
+std::vector<std::string> models_with_cases() {
+  std::vector<std::string> names = analytic_models();
+  names.insert(names.begin(), "sum");
+  return names;
+}
+
+std::vector<Case> cases_of(std::string_view model) {
+  std::vector<Case> cases = unturned_cases_of(model);
+  add_turned(cases, model == "sum" || (*find_model(model))->has_tangents());
+  return cases;
 }
 
 }  // namespace gonio::testing

@@ -44,7 +44,7 @@ bool is_diffuse(const LobeSpec& lobe) { return (*find_model(lobe.model))->role =
 }  // namespace
 
 DensityOracle::DensityOracle(const MaterialSpec& spec, Sampler sampler)
-    : lobes_(spec.specular), sampler_(std::move(sampler)) {
+    : lobes_(spec.specular), sampler_(std::move(sampler)), rotation_(spec.rotation.value_or(0)) {
   if (spec.model && !is_diffuse(*spec.model)) lobes_.push_back(*spec.model);
 }
 
@@ -52,7 +52,9 @@ long double DensityOracle::operator()(const Vector& wi, const Vector& wo) const 
   const Real li = root(dot(wi, wi)), lo = root(dot(wo, wo));
   const Vector twice = sum_of_normalized(wi, li, wo, lo);
   const Real length = root(dot(twice, twice));
-  const Vector i = divided(wi, li), o = divided(wo, lo), h = divided(twice, length);
+  const auto seen = [&](const Vector& w) { return turned(w, -rotation_); };
+  const Vector i = seen(divided(wi, li)), o = seen(divided(wo, lo)),
+               h = seen(divided(twice, length));
   const std::vector<double> shares = shares_of(sampler_, static_cast<double>(i.z));
   Real sum = 0;
   for (std::size_t k = 0; k < lobes_.size(); ++k)

@@ -21,6 +21,7 @@ class DensityOracle {
  private:
   std::vector<LobeSpec> lobes_;  // those that are drawn for themselves
   Sampler sampler_;
+  densities::Real rotation_;  // of the tangents, in degrees
 };
 
 }  // namespace gonio::testing

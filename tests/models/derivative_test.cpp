@@ -28,6 +28,31 @@ TEST(Derivative, OfASumIsThatOfTheLobe) {
   for (const double d : of_base) EXPECT_NEAR(d, 0.318309886183790672, 1e-15);
 }
 
+// By the rotation all lobes with tangents change; at 0 as elsewhere.
+TEST(Derivative, ByTheRotationIsTheSlopeOfAllLobes) {
+  const auto pairs = some_hard_pairs<double>(11, 500, 0.05);
+  for (const double degrees : {0.0, 33.0, -120.0}) {
+    MaterialSpec spec{{},
+                      LobeSpec{"lambertian", {}},
+                      {LobeSpec{"ggx", {{"alpha_x", number(0.2)}, {"alpha_y", number(0.5)}}},
+                       LobeSpec{"ward", {{"alpha_x", number(0.6)}, {"alpha_y", number(0.4)}}}},
+                      degrees};
+    const auto slope = library_derivative(spec, "rotation", pairs, best_isa());
+    constexpr double kStep = 1e-4;
+    spec.rotation = degrees + kStep;
+    const auto above = library_values<double>(material_of(spec), pairs, best_isa());
+    spec.rotation = degrees - kStep;
+    const auto below = library_values<double>(material_of(spec), pairs, best_isa());
+    for (std::size_t i = 0; i < slope.size(); ++i)
+      EXPECT_NEAR(slope[i], (above[i] - below[i]) / (2 * kStep), 1e-8 * (1 + above[i])) << degrees;
+  }
+  const auto isotropic = library_derivative(kSum, "rotation", pairs, best_isa());
+  // Both of kSum's alphas but for alpha_y's own value: only ggx changes at all.
+  EXPECT_NE(*std::ranges::max_element(isotropic), 0);
+  const MaterialSpec flat{{}, kSum.diffuse, {kSum.specular[1]}};
+  for (const double d : library_derivative(flat, "rotation", pairs, best_isa())) EXPECT_EQ(d, 0);
+}
+
 TEST(Derivative, NamesWhatItCanBeTakenBy) {
   for (const char* by : {"", "s", "parameters.s", "specular[2].parameters.s",
                          "specular[0].parameters.fresnel", "specular[0].parameters.s"}) {

@@ -35,6 +35,13 @@ Vec<Real> normalized(const Vec<Real>& a) {
   return divided(a, root(dot(a, a)));
 }
 
+// Turned about the normal by so many degrees, counter-clockwise seen from above.
+template <class Real>
+Vec<Real> turned(const Vec<Real>& a, Real degrees) {
+  const Real angle = degrees * pi<Real>() / 180, c = cosine(angle), s = sine(angle);
+  return {c * a.x - s * a.y, s * a.x + c * a.y, a.z};
+}
+
 // wi/|wi| + wo/|wo| of directions of any length, right to a relative rounding even where the two
 // nearly cancel: a/|a| + b/|b| = (a + b)/|a| + b (|a| - |b|)/(|a||b|), and |a|^2 - |b|^2 =
 // (a - b).(a + b), in which a + b is exact. la and lb are the lengths.

@@ -53,7 +53,7 @@ typename Oracle<Real>::Lobe Oracle<Real>::lobe_of(const LobeSpec& spec) {
 }
 
 template <class Real>
-Oracle<Real>::Oracle(const MaterialSpec& spec) {
+Oracle<Real>::Oracle(const MaterialSpec& spec) : rotation_(spec.rotation.value_or(0)) {
   std::vector<Lobe> lobes;
   if (spec.model) lobes.push_back(lobe_of(*spec.model));
   if (spec.diffuse) lobes.push_back(lobe_of(*spec.diffuse));
@@ -137,7 +137,9 @@ void Oracle<Real>::evaluate(Vec<Real> wi, Vec<Real> wo, std::span<Real> f) const
   const Real li = root(dot(wi, wi)), lo = root(dot(wo, wo));
   const Vec<Real> twice = sum_of_normalized(wi, li, wo, lo);
   const Real length = root(dot(twice, twice));
-  const Pair pair{divided(wi, li), divided(wo, lo), divided(twice, length), length / 2};
+  const auto seen = [&](const Vec<Real>& w) { return turned(w, -rotation_); };
+  const Pair pair{seen(divided(wi, li)), seen(divided(wo, lo)), seen(divided(twice, length)),
+                  length / 2};
   for (const Lobe& lobe : *lobes_) add(lobe, pair, f);
 }
 

@@ -41,6 +41,7 @@ class Oracle {
 
   std::shared_ptr<const std::vector<Lobe>> lobes_;
   std::size_t channels_ = 1;
+  Real rotation_ = 0;  // of the tangents, in degrees
 };
 
 extern template class Oracle<Quad>;

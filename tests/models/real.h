@@ -20,6 +20,10 @@ inline double power(double x, double y) { return std::pow(x, y); }
 inline double exponential(double x) { return std::exp(x); }
 inline long double arctangent(long double y, long double x) { return std::atan2(y, x); }
 inline Quad arctangent(Quad y, Quad x) { return atan2q(y, x); }
+inline long double cosine(long double x) { return std::cos(x); }
+inline Quad cosine(Quad x) { return cosq(x); }
+inline long double sine(long double x) { return std::sin(x); }
+inline Quad sine(Quad x) { return sinq(x); }
 inline Quad root(Quad x) { return sqrtq(x); }
 inline Quad power(Quad x, Quad y) { return powq(x, y); }
 inline Quad exponential(Quad x) { return expq(x); }

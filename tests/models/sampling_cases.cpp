@@ -15,20 +15,6 @@ bool has_fresnel(const MaterialSpec& spec) {
          std::get<std::string>(fresnel->second) != "none";
 }
 
-// All places of the range without a Fresnel factor; with each kind of one, a random place.
-std::vector<Draw> materials_of(const std::string& model) {
-  std::vector<Draw> draws;
-  if (model == "sum") {
-    for (Case& c : cases_of(model)) draws.push_back({std::move(c.name), std::move(c.spec)});
-    return draws;
-  }
-  for (Draw& draw : draws_of(**find_model(model))) {
-    if (!has_fresnel(draw.spec) || draw.name.starts_with("random,"))
-      draws.push_back(std::move(draw));
-  }
-  return draws;
-}
-
 bool is_anisotropic(const LobeSpec& lobe) {
   for (const auto& [x, y] : {std::pair{"alpha_x", "alpha_y"}, std::pair{"nu", "nv"}}) {
     if (lobe.parameters.contains(x) && lobe.parameters.at(x) != lobe.parameters.at(y)) return true;
@@ -39,6 +25,29 @@ bool is_anisotropic(const LobeSpec& lobe) {
 bool is_anisotropic(const MaterialSpec& spec) {
   return (spec.model && is_anisotropic(*spec.model)) ||
          std::ranges::any_of(spec.specular, [](const auto& l) { return is_anisotropic(l); });
+}
+
+Draw turned(Draw draw, double degrees) {
+  draw.name += ", turned";
+  draw.spec.rotation = degrees;
+  return draw;
+}
+
+// All places of the range without a Fresnel factor, and a turned one of an anisotropic model; with
+// each kind of Fresnel factor, a random place.
+std::vector<Draw> materials_of(const std::string& model) {
+  std::vector<Draw> draws;
+  if (model == "sum") {
+    for (Case& c : cases_of(model)) draws.push_back({std::move(c.name), std::move(c.spec)});
+    return draws;
+  }
+  for (Draw& draw : draws_of(**find_model(model))) {
+    if (!has_fresnel(draw.spec) && is_anisotropic(draw.spec) && draw.name.starts_with("random"))
+      draws.push_back(turned(draw, -40));
+    if (!has_fresnel(draw.spec) || draw.name.starts_with("random,"))
+      draws.push_back(std::move(draw));
+  }
+  return draws;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "measured/synthetic_merl.h"
 #include "measured/temp_folder.h"
 #include "server/harness.h"
+#include "wire/convert.h"
 
 namespace gonio::testing {
 namespace {
@@ -60,6 +61,34 @@ TEST(Materials, AreServedUnderTheirFilesNames) {
   const PairArrays pairs = random_pairs(100);
   EXPECT_THAT(values_of(server, "gold", pairs),
               ElementsAreArray(core_values<float, float>(core_ggx(), pairs.wi, pairs.wo)));
+}
+
+// What a request adds to a stored material's own rotation, for tables too; f of a turned material
+// is that of the unturned one for directions turned back.
+TEST(Materials, AStoredOneIsTurnedFurther) {
+  const TempFolder folder;
+  constexpr const char* kBrushed =
+      R"("model": "ggx", "parameters": {"alpha_x": 0.1, "alpha_y": 0.5})";
+  write(folder / "brushed.json", "{" + std::string(kBrushed) + R"(, "rotation": 50})");
+  ASSERT_TRUE(write_merl(folder / "chrome.binary", glossy_example));
+  TestServer server(serving(folder));
+  const PairArrays pairs = random_pairs(100);
+  const auto values = [&](const std::string& json) {
+    v1::EvaluateRequest request = request_for(pairs, 0, pairs.size());
+    *request.mutable_material() = *wire::material_from_json(json);
+    const auto response = server.evaluated(request);
+    return std::vector<float>(response.values().begin(), response.values().end());
+  };
+  const auto by_70 = values("{" + std::string(kBrushed) + R"(, "rotation": 70})");
+  EXPECT_THAT(values(R"({"name": "brushed", "rotation": 20})"), ElementsAreArray(by_70));
+  EXPECT_THAT(values(R"({"name": "brushed", "rotation": 0})"),
+              ElementsAreArray(values(R"({"name": "brushed"})")));
+  EXPECT_NE(by_70, values(R"({"name": "brushed"})"));
+  EXPECT_THAT(values(R"({"name": "chrome", "rotation": 20})"),
+              ElementsAreArray(values(R"({"name": "chrome"})")));
+  v1::EvaluateRequest request = request_for(pairs, 0, pairs.size());
+  *request.mutable_material() = *wire::material_from_json(R"({"name": "chrome", "rotation": 200})");
+  EXPECT_EQ(server.refused(request).field, "material.rotation");
 }
 
 TEST(Materials, AMisspeltNameGetsSuggestions) {

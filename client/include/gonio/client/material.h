@@ -42,8 +42,14 @@ class Material {
   //   {"model": "ggx", "parameters": {"f0": [1, 0.71, 0.29], "alpha_x": 0.2, "alpha_y": 0.2}}
   //   {"diffuse": {"model": "lambertian", "parameters": {"rd": 0.2}}, "specular": [{"model": ...,
   //   "parameters": ...}]}
+  // each with a "rotation": 30 beside if its tangents are turned.
   // Errors: invalid_argument for what is not JSON or not of this shape.
   static Result<Material> from_json(std::string_view json);
+
+  // The same with its tangents turned about the normal, in degrees from -180 to 180,
+  // counter-clockwise seen from above: "rotation" in the JSON. In the place of what it had; a stored
+  // material is turned further.
+  [[nodiscard]] Material rotated(double degrees) const;
 
   // One line of the JSON above.
   [[nodiscard]] std::string to_json() const;

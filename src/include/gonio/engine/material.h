@@ -28,12 +28,27 @@ struct LobeSpec {
   std::map<std::string, ParameterValue, std::less<>> parameters;
 };
 
+// How a material's tangents lie in the frame of the directions: turned about the normal,
+// counter-clockwise seen from above. f(wi, wo) of a turned material is that of the unturned one for
+// both directions turned back. A number of the whole material, beside its lobes.
+inline constexpr Parameter kRotation{
+    .name = "rotation",
+    .meaning = "of the tangents about the normal, counter-clockwise seen from above",
+    .unit = "degrees",
+    .lower = -180,
+    .upper = 180,
+    .start = 0};
+
 // Either `model` alone, or a sum of at most one diffuse base and up to four specular lobes.
 struct MaterialSpec {
   std::optional<LobeSpec> model;
   std::optional<LobeSpec> diffuse;
   std::vector<LobeSpec> specular;
+  std::optional<double> rotation = {};  // degrees; see kRotation
 };
+
+// Whether a rotation is within its bounds; the error names it as `prefix` + "rotation".
+Outcome check_rotation(double degrees, std::string_view prefix);
 
 class MeasuredTable;  // measured/table.h
 
@@ -49,6 +64,11 @@ class Material {
   static Result<Material> create(const MaterialSpec& spec, std::string_view prefix = {});
   static Material from_table(std::shared_ptr<const MeasuredTable> table,
                              Interpolation interpolation);
+
+  // Whether it can look different from other azimuths: has a model with tangents.
+  [[nodiscard]] bool has_tangents() const;
+  // The same material turned by so much more, -180 to 180 degrees.
+  [[nodiscard]] Material turned(double degrees) const;
 
   [[nodiscard]] int channels() const;                     // 1 to kMaxChannels
   [[nodiscard]] ErrorBound error_bound(Precision) const;  // the worst of the parts

@@ -80,6 +80,10 @@ struct ModelDescription {
   // The parameters of a difference that crosses 0, where no relative bound can hold: the error may
   // be as large there as four roundings of each of them make it.
   std::span<const std::string_view> crossing = {};
+  // The two parameters that belong to the tangents u and v; empty for a model that is alike along
+  // all of them.
+  std::array<std::string_view, 2> along_tangents = {};
+  [[nodiscard]] constexpr bool has_tangents() const { return !along_tangents[0].empty(); }
 };
 
 }  // namespace gonio
