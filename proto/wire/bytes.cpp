@@ -6,9 +6,9 @@
 
 namespace gonio::wire {
 
-SliceBytes::SliceBytes(std::vector<grpc::Slice> slices) {
+SliceBytes::SliceBytes(const grpc::ByteBuffer& buffer, std::vector<grpc::Slice> slices) {
   if (slices.empty()) return;
-  Content content{std::move(slices), {}};
+  Content content{buffer, std::move(slices), {}};
   content.ends.reserve(content.slices.size());
   std::size_t end = 0;
   for (const grpc::Slice& slice : content.slices) content.ends.push_back(end += slice.size());
@@ -18,12 +18,13 @@ SliceBytes::SliceBytes(std::vector<grpc::Slice> slices) {
 SliceBytes SliceBytes::of(const grpc::ByteBuffer& buffer) {
   std::vector<grpc::Slice> slices;
   if (!buffer.Valid() || !buffer.Dump(&slices).ok()) return {};
-  return SliceBytes(std::move(slices));
+  return {buffer, std::move(slices)};
 }
 
 SliceBytes::Piece SliceBytes::piece(std::size_t offset) const {
   if (!content_) return {};
-  const auto& [slices, ends] = *content_;
+  const std::vector<grpc::Slice>& slices = content_->slices;
+  const std::vector<std::size_t>& ends = content_->ends;
   // upper_bound, so that empty slices are stepped over.
   const auto found = std::upper_bound(ends.begin(), ends.end(), offset);
   if (found == ends.end()) return {};

@@ -2,7 +2,7 @@
 // array.
 //
 // Nothing is copied but what copy() is asked for. Thread safety: immutable, read from many threads
-// at once.
+// at once; the last copy may end on any thread, also on one that gRPC knows nothing of.
 #pragma once
 
 #include <grpcpp/support/byte_buffer.h>
@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gonio::wire {
@@ -19,7 +20,8 @@ namespace gonio::wire {
 class SliceBytes {
  public:
   SliceBytes() = default;
-  explicit SliceBytes(std::vector<grpc::Slice> slices);
+  // Of memory that gRPC has not received, such as grpc::Slice(std::string).
+  explicit SliceBytes(std::vector<grpc::Slice> slices) : SliceBytes({}, std::move(slices)) {}
   // Empty for a buffer that cannot be read (such as one with a broken compression).
   static SliceBytes of(const grpc::ByteBuffer& buffer);
 
@@ -37,7 +39,13 @@ class SliceBytes {
   [[nodiscard]] Piece piece(std::size_t offset) const;
 
  private:
+  SliceBytes(const grpc::ByteBuffer& buffer, std::vector<grpc::Slice> slices);
+
   struct Content {
+    // Ends after the slices, so that theirs are never the last references to received memory: gRPC
+    // 1.51 gives such memory back to its quota, and under pressure does so only where it has an
+    // execution context. The end of a buffer makes one, the end of a slice does not.
+    grpc::ByteBuffer buffer;
     std::vector<grpc::Slice> slices;
     std::vector<std::size_t> ends;  // the offset after each slice
   };
