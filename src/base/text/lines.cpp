@@ -1,33 +1,22 @@
 #include "base/text/lines.h"
 
+#include <emmintrin.h>
+
 #include <bit>
-#include <cstdint>
-#include <cstring>
 
 namespace gonio {
-namespace {
 
-static_assert(std::endian::native == std::endian::little, "the first byte is the lowest");
-
-constexpr std::uint64_t kOnes = 0x0101010101010101;
-
-// A bit in the first byte of `eight` that is `byte`, and none before it; those behind may be wrong.
-constexpr std::uint64_t marks(std::uint64_t eight, char byte) {
-  const std::uint64_t same = eight ^ (kOnes * static_cast<std::uint8_t>(byte));
-  return (same - kOnes) & ~same & (kOnes << 7U);
-}
-
-}  // namespace
-
-// Eight bytes at a time: a search for each of both would read what has no CR twice, and the whole
-// rest for each line of what has no LF.
+// Sixteen bytes at a time, in one pass: a search for each of both would read what has no CR twice,
+// and the whole rest for each line of what has no LF.
 std::size_t find_line_end(std::string_view text, std::size_t from) {
+  const __m128i feed = _mm_set1_epi8('\n'), carriage = _mm_set1_epi8('\r');
   std::size_t at = from;
-  for (; at + 8 <= text.size(); at += 8) {
-    std::uint64_t eight = 0;
-    std::memcpy(&eight, text.data() + at, sizeof eight);
-    const std::uint64_t found = marks(eight, '\n') | marks(eight, '\r');
-    if (found != 0) return at + static_cast<std::size_t>(std::countr_zero(found)) / 8;
+  for (; at + 16 <= text.size(); at += 16) {
+    const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(text.data() + at));
+    const __m128i found =
+        _mm_or_si128(_mm_cmpeq_epi8(bytes, feed), _mm_cmpeq_epi8(bytes, carriage));
+    const auto mask = static_cast<unsigned>(_mm_movemask_epi8(found));
+    if (mask != 0) return at + static_cast<std::size_t>(std::countr_zero(mask));
   }
   for (; at < text.size(); ++at) {
     if (text[at] == '\n' || text[at] == '\r') return at;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace gonio {
 
@@ -14,18 +15,34 @@ namespace gonio {
 template <class T>
 std::optional<T> parse_unusual_number(std::string_view text, std::size_t good);
 
-// All of `text` as a number: decimal, with a point and perhaps an exponent (1e-3, 1.0D-03); nan,
-// inf; a sign, also '+'. None if it is not one. What is too large becomes infinite, what is too
-// small zero or the nearest subnormal.
+// All of `text` as a number. T is float, double or an integer, of which all must be digits. A
+// floating-point number is decimal, with a point and perhaps an exponent (1e-3, 1.0D-03); nan, inf;
+// a sign, also '+'. False, and `value` as it was, if it is not one. What is too large becomes
+// infinite, what is too small zero or the nearest subnormal.
+template <class T>
+bool read_number(std::string_view text, T& value) {
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
+  T read{};
+  const char* end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, read);
+  if (error == std::errc{} && at == end) {
+    value = read;
+    return true;
+  }
+  if constexpr (!std::is_integral_v<T>) {
+    if (error == std::errc::invalid_argument) return false;
+    const auto unusual = parse_unusual_number<T>(text, static_cast<std::size_t>(at - text.data()));
+    value = unusual.value_or(value);
+    return unusual.has_value();
+  }
+  return false;
+}
+
+// The same as an optional, which takes longer.
 template <class T>
 std::optional<T> parse_number(std::string_view text) {
-  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
   T value{};
-  const char* end = text.data() + text.size();
-  const auto [at, error] = std::from_chars(text.data(), end, value);
-  if (error == std::errc{} && at == end) return value;
-  if (error == std::errc::invalid_argument) return std::nullopt;
-  return parse_unusual_number<T>(text, static_cast<std::size_t>(at - text.data()));
+  return read_number(text, value) ? std::optional<T>(value) : std::nullopt;
 }
 
 // What a message says behind text that is no number, where the reason shows: " (a decimal comma:
