@@ -9,6 +9,9 @@
 #include <cstring>
 #include <utility>
 
+#include "base/text/lines.h"
+#include "gonio/base/shown.h"
+
 namespace gonio::cli {
 namespace {
 
@@ -17,7 +20,8 @@ constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 
 Error cannot_read(const std::string& name, int reason) {
   const ErrorCode code = reason == ENOENT ? ErrorCode::not_found : ErrorCode::invalid_argument;
-  return {code, name + " cannot be read: " + std::strerror(reason), "--pairs", name, {}};
+  return {
+      code, shown(name) + " cannot be read: " + std::strerror(reason), "--pairs", shown(name), {}};
 }
 
 }  // namespace
@@ -46,7 +50,8 @@ ByteSource::ByteSource(ByteSource&& other) noexcept
       buffer_(std::move(other.buffer_)),
       begin_(other.begin_),
       end_(other.end_),
-      bytes_read_(other.bytes_read_) {}
+      bytes_read_(other.bytes_read_),
+      after_return_(other.after_return_) {}
 
 Result<bool> ByteSource::refill() {
   if (begin_ > 0) {
@@ -90,30 +95,45 @@ Result<std::size_t> ByteSource::read(void* to, std::size_t count) {
   return done;
 }
 
-Result<std::optional<std::string_view>> ByteSource::line() {
-  std::size_t searched = 0;
-  for (;;) {
-    const std::string_view text = buffered();
-    const std::size_t end = text.find('\n', searched);
-    if (end != std::string_view::npos || text.size() > kLongestLine) {
-      if (std::min(end, text.size()) > kLongestLine) break;
-      begin_ += end + 1;
-      return std::optional(text.substr(0, end - (end > 0 && text[end - 1] == '\r' ? 1 : 0)));
-    }
-    searched = text.size();
+void ByteSource::finish_line_end() {
+  if (!after_return_ || begin_ == end_) return;
+  if (buffer_[begin_] == '\n') ++begin_;
+  after_return_ = false;
+}
+
+bool ByteSource::buffered_line(std::string_view& line, std::size_t searched) {
+  finish_line_end();
+  const std::string_view text = buffered();
+  const std::size_t end = find_line_end(text, searched);
+  if (end == std::string_view::npos || end > kLongestLine) return false;
+  line = text.substr(0, end);
+  begin_ += end + 1;
+  // The line feed behind it may not have come yet.
+  after_return_ = text[end] == '\r';
+  finish_line_end();
+  return true;
+}
+
+Result<bool> ByteSource::line(std::string_view& line) {
+  for (std::size_t searched = 0; !buffered_line(line, searched);) {
+    searched = end_ - begin_;
+    if (searched > kLongestLine) return too_long();
     auto more = refill();
     if (!more) return more.error();
     if (*more) continue;
-    if (begin_ == end_) return std::optional<std::string_view>{};
-    const std::string_view last = buffered();  // without an end of line
+    line = buffered();  // without an end of line
     begin_ = end_;
-    return std::optional(last.substr(0, last.size() - (last.back() == '\r' ? 1 : 0)));
+    return !line.empty();
   }
-  return Error{ErrorCode::invalid_argument,
-               name_ + " has a line of more than 1 MiB: it is not CSV",
-               "--pairs",
-               name_,
-               {}};
+  return true;
+}
+
+Error ByteSource::too_long() const {
+  return {ErrorCode::invalid_argument,
+          shown(name_) + " has a line of more than 1 MiB: it is not CSV",
+          "--pairs",
+          shown(name_),
+          {}};
 }
 
 }  // namespace gonio::cli

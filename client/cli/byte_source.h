@@ -31,13 +31,18 @@ class ByteSource {
   Result<std::string_view> peek(std::size_t count);
   // Copies the next `count` bytes; fewer at the end.
   Result<std::size_t> read(void* to, std::size_t count);
-  // The next line without its end ("\n" or "\r\n"); none at the end. Valid until the next call.
-  // Errors: a line beyond 1 MiB.
-  Result<std::optional<std::string_view>> line();
+  // The next line without its end (LF, CR or CR LF); false at the end. Valid until the next call.
+  // Errors: a line beyond 1 MiB. After the first line only lines may be read.
+  Result<bool> line(std::string_view& line);
 
  private:
   ByteSource(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}
   Result<bool> refill();  // false at the end
+  // The next line if its end is buffered, where the first `searched` bytes have none.
+  bool buffered_line(std::string_view& line, std::size_t searched);
+  // Takes the line feed that belongs to the end of the line before, once it has come.
+  void finish_line_end();
+  [[nodiscard]] Error too_long() const;
   [[nodiscard]] std::string_view buffered() const {
     return {buffer_.data() + begin_, end_ - begin_};
   }
@@ -48,6 +53,7 @@ class ByteSource {
   std::vector<char> buffer_;
   std::size_t begin_ = 0, end_ = 0;  // what is buffered and not yet taken
   std::uint64_t bytes_read_ = 0;
+  bool after_return_ = false;  // what follows is a new line, but for a line feed at its beginning
 };
 
 }  // namespace gonio::cli

@@ -1,7 +1,14 @@
-#include <algorithm>
+#include <array>
 #include <cmath>
-#include <sstream>
+#include <optional>
+#include <span>
+#include <utility>
 
+#include "base/text/encoding.h"
+#include "base/text/lines.h"
+#include "base/text/number.h"
+#include "gonio/base/shown.h"
+#include "measured/file_error.h"
 #include "measured/pairs.h"
 #include "measured/text_file.h"
 
@@ -9,94 +16,116 @@ namespace gonio {
 namespace {
 
 constexpr int kMostValues = 64;
+constexpr std::size_t kAngles = 3;  // of a row, before its values
+constexpr std::string_view kBlanks = " \t";
 
 struct Header {
   int values = 0;  // of a row
   bool cosine = false;
 };
 
-Error header_error(const std::string& name, const std::string& found, const std::string& expected) {
-  return {ErrorCode::data_loss, name + ": found " + found + "; expected " + expected, name, found,
-          expected};
+// What follows a word such as #DIM on a line of its own.
+struct Entry {
+  std::string_view word, text;  // no text: the file has no such line, or none behind the word
+  std::size_t line = 1;
+
+  [[nodiscard]] Error error(const std::string& name, const std::string& expected) const {
+    const std::string found =
+        text.empty() ? "no " + std::string(word) : std::string(word) + " " + std::string(text);
+    return file_error(ErrorCode::data_loss, name + ":" + std::to_string(line),
+                      shown(found, kQuotedLength), expected);
+  }
+};
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-// What follows `#WORD` on a line of its own; empty if there is none.
-std::string entry(std::string_view text, std::string_view word) {
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    std::string_view line = text.substr(at, end - at);
-    at = end + 1;
-    const bool found = line.size() > word.size() && line.substr(0, word.size()) == word &&
-                       (line[word.size()] == ' ' || line[word.size()] == '\t');
-    if (!found) continue;
-    line.remove_prefix(word.size());
-    const std::size_t first = line.find_first_not_of(" \t"), last = line.find_last_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return std::string(line.substr(first, last - first + 1));
+// Errors: the word twice, with different texts.
+Result<Entry> entry(std::string_view text, std::string_view word, const std::string& name) {
+  Entry found{word, {}, 1};
+  LineReader lines(text);
+  while (auto line = lines.next()) {
+    if (line->substr(0, word.size()) != word) continue;
+    line->remove_prefix(word.size());
+    if (!line->empty() && kBlanks.find(line->front()) == std::string_view::npos) continue;
+    const Entry another{word, trimmed(*line), lines.number()};
+    if (!found.text.empty() && another.text != found.text)
+      return another.error(name, "the same as on line " + std::to_string(found.line));
+    if (found.text.empty()) found = another;
   }
-  return {};
+  return found;
+}
+
+// "3 N" with N from 1 to 64; none if it is something else.
+std::optional<int> values_of(std::string_view dimensions) {
+  const std::size_t blank = dimensions.find_first_of(kBlanks);
+  if (blank == std::string_view::npos) return std::nullopt;
+  const auto from = parse_number<double>(dimensions.substr(0, blank));
+  const auto to = parse_number<double>(trimmed(dimensions.substr(blank)));
+  if (!from || *from != 3 || !to || !(*to >= 1 && *to <= kMostValues) || *to != std::floor(*to))
+    return std::nullopt;
+  return static_cast<int>(*to);
 }
 
 Result<Header> read_header(std::string_view text, const std::string& name) {
-  Header header;
-  const std::string dimensions = entry(text, "#DIM");
-  std::istringstream numbers(dimensions.substr(0, 100));
-  int from = 0;
-  if (!(numbers >> from >> header.values) || from != 3 || header.values < 1 ||
-      header.values > kMostValues) {
-    return header_error(name, "#DIM " + dimensions.substr(0, 100),
-                        "#DIM 3 and the number of values, 1 to " + std::to_string(kMostValues));
+  std::array<Entry, 4> entries;
+  constexpr std::array<std::string_view, 4> kWords{"#DIM", "#PARAM_IN", "#VS", "#PARAM_OUT"};
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const auto found = entry(text, kWords[i], name);
+    if (!found) return found.error();
+    entries[i] = *found;
   }
-  const std::string in = entry(text, "#PARAM_IN");
-  if (in != "ISOTROPIC_TL_TV_PROJ_DPHI") {
-    return header_error(name, "#PARAM_IN " + in.substr(0, 100),
-                        "#PARAM_IN ISOTROPIC_TL_TV_PROJ_DPHI");
+  const auto& [dimensions, in, vertical, out] = entries;
+  const auto values = values_of(dimensions.text);
+  if (!values) {
+    return dimensions.error(name,
+                            "#DIM 3 and the number of values, 1 to " + std::to_string(kMostValues));
   }
-  const std::string vertical = entry(text, "#VS");
-  if (!vertical.empty() && vertical != "0")
-    return header_error(name, "#VS " + vertical.substr(0, 100), "#VS 0: values without intervals");
-  const std::string out = entry(text, "#PARAM_OUT");
-  header.cosine = out == "INV_STERADIAN_COSINE_FACTOR";
-  if (!header.cosine && !out.empty() && out != "INV_STERADIAN" && out != "RGB_COLOR") {
-    return header_error(name, "#PARAM_OUT " + out.substr(0, 100),
-                        "INV_STERADIAN, INV_STERADIAN_COSINE_FACTOR or RGB_COLOR");
-  }
-  return header;
+  if (in.text != "ISOTROPIC_TL_TV_PROJ_DPHI")
+    return in.error(name, "#PARAM_IN ISOTROPIC_TL_TV_PROJ_DPHI");
+  if (!vertical.text.empty() && vertical.text != "0")
+    return vertical.error(name, "#VS 0: values without intervals");
+  const bool cosine = out.text == "INV_STERADIAN_COSINE_FACTOR";
+  if (!cosine && !out.text.empty() && out.text != "INV_STERADIAN" && out.text != "RGB_COLOR")
+    return out.error(name, "INV_STERADIAN, INV_STERADIAN_COSINE_FACTOR or RGB_COLOR");
+  return Header{*values, cosine};
 }
 
-Outcome read_row(TextWords& words, const Header& header, MeasuredPairs& pairs) {
-  double angles[3];
-  for (double& angle : angles) {
-    const auto number = words.number("an angle in radians");
-    if (!number) return number.error();
-    angle = *number;
-  }
-  pairs.wi.insert(pairs.wi.end(), {std::sin(angles[0]), 0, std::cos(angles[0])});
-  const double theta = std::hypot(angles[1], angles[2]);
+void push_row(std::span<const double> row, const Header& header, MeasuredPairs& pairs) {
+  pairs.wi.insert(pairs.wi.end(), {std::sin(row[0]), 0, std::cos(row[0])});
+  const double theta = std::hypot(row[1], row[2]);
   const double sinc = theta > 0 ? std::sin(theta) / theta : 1;
   const double cosine = std::cos(theta);
   const bool above = cosine > kLeastCosine;
-  pairs.wo.insert(pairs.wo.end(), {sinc * angles[1], sinc * angles[2], above ? cosine : 0});
-  for (int i = 0; i < header.values; ++i) {
-    const auto value = words.number("a value");
-    if (!value) return value.error();
-    pairs.values.push_back(header.cosine && above ? *value / cosine : *value);
-  }
-  return Ok{};
+  pairs.wo.insert(pairs.wo.end(), {sinc * row[1], sinc * row[2], above ? cosine : 0});
+  for (const double value : row.subspan(kAngles))
+    pairs.values.push_back(header.cosine && above ? value / cosine : value);
 }
 
 }  // namespace
 
 Result<MeasuredPairs> parse_alta(std::string_view text, const std::string& name) {
-  const auto header = read_header(text, name);
+  const auto plain = utf8_text(text, name);
+  if (!plain) return plain.error();
+  const auto header = read_header(*plain, name);
   if (!header) return header.error();
   MeasuredPairs pairs;
   pairs.channels = header->values;
-  TextWords words(text, name);
-  while (!words.at_end()) {
-    if (auto row = read_row(words, *header, pairs); !row) return row.error();
+  TextRows rows(*plain, name);
+  std::vector<double> numbers(kAngles + static_cast<std::size_t>(header->values));
+  const std::string what =
+      "theta_i, theta_o cos(dphi), theta_o sin(dphi) in radians and as many values as #DIM 3 " +
+      std::to_string(header->values) + " says";
+  for (;;) {
+    const auto row = rows.row(numbers, what);
+    if (!row) return row.error();
+    if (!*row) break;
+    push_row(numbers, *header, pairs);
   }
-  if (pairs.size() == 0) return words.error("the end of the file", "rows of measurements");
+  if (pairs.size() == 0) return rows.error("the end of the file", "rows of " + what);
   return pairs;
 }
 

@@ -1,5 +1,7 @@
 #include <cmath>
+#include <span>
 
+#include "base/text/encoding.h"
 #include "measured/pairs.h"
 #include "measured/text_file.h"
 
@@ -7,55 +9,56 @@ namespace gonio {
 namespace {
 
 constexpr int kMostWavelengths = 64;
+constexpr std::ptrdiff_t kAngles = 4;  // of a row, before its values
 
 void push_direction(double theta, double phi, std::vector<double>& to) {
   const double s = std::sin(theta);
   to.insert(to.end(), {s * std::cos(phi), s * std::sin(phi), std::cos(theta)});
 }
 
-Result<int> read_head(TextWords& words) {
-  const auto count = words.number("the number of wavelengths");
+// Count and wavelengths may stand on one line or on several.
+Result<int> read_head(TextRows& rows) {
+  const auto count = rows.number("the number of wavelengths");
   if (!count) return count.error();
   if (!(*count >= 1 && *count <= kMostWavelengths) || *count != std::floor(*count)) {
-    return words.error(std::to_string(*count) + " wavelengths",
-                       "a whole number from 1 to " + std::to_string(kMostWavelengths));
+    return rows.error(std::to_string(*count) + " wavelengths",
+                      "a whole number from 1 to " + std::to_string(kMostWavelengths));
   }
   for (int i = 0; i < static_cast<int>(*count); ++i) {
-    const auto wavelength = words.number("a wavelength in nm");
+    const auto wavelength = rows.number("a wavelength in nm");
     if (!wavelength) return wavelength.error();
+    if (!(*wavelength > 0) || std::isinf(*wavelength))
+      return rows.error(std::to_string(*wavelength), "a wavelength in nm");
   }
   return static_cast<int>(*count);
 }
 
-Outcome read_row(TextWords& words, MeasuredPairs& pairs) {
-  double angles[4];
-  for (double& angle : angles) {
-    const auto number = words.number("an angle in radians");
-    if (!number) return number.error();
-    angle = *number;
-  }
-  push_direction(angles[0], angles[1], pairs.wi);
-  push_direction(angles[2], angles[3], pairs.wo);
-  for (int c = 0; c < pairs.channels; ++c) {
-    const auto value = words.number("a value for each wavelength");
-    if (!value) return value.error();
-    pairs.values.push_back(*value);
-  }
-  return Ok{};
+void push_row(std::span<const double> row, MeasuredPairs& pairs) {
+  push_direction(row[0], row[1], pairs.wi);
+  push_direction(row[2], row[3], pairs.wo);
+  pairs.values.insert(pairs.values.end(), row.begin() + kAngles, row.end());
 }
 
 }  // namespace
 
 Result<MeasuredPairs> parse_cornell(std::string_view text, const std::string& name) {
-  TextWords words(text, name);
-  const auto channels = read_head(words);
+  const auto plain = utf8_text(text, name);
+  if (!plain) return plain.error();
+  TextRows rows(*plain, name);
+  const auto channels = read_head(rows);
   if (!channels) return channels.error();
   MeasuredPairs pairs;
   pairs.channels = *channels;
-  while (!words.at_end()) {
-    if (auto row = read_row(words, pairs); !row) return row.error();
+  std::vector<double> numbers(kAngles + static_cast<std::size_t>(*channels));
+  const std::string what = "theta_i, phi_i, theta_s, phi_s in radians and a value for each of " +
+                           std::to_string(*channels) + " wavelengths";
+  for (;;) {
+    const auto row = rows.row(numbers, what);
+    if (!row) return row.error();
+    if (!*row) break;
+    push_row(numbers, pairs);
   }
-  if (pairs.size() == 0) return words.error("the end of the file", "rows of measurements");
+  if (pairs.size() == 0) return rows.error("the end of the file", "rows of " + what);
   return pairs;
 }
 

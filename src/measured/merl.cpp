@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "gonio/measured/table.h"
+#include "measured/file_error.h"
 
 namespace gonio {
 namespace {
@@ -30,12 +31,6 @@ constexpr Dimensions kDimensions{Table::kThetaH, Table::kThetaD, Table::kPhiD};
 static_assert(Table::kFileBytes ==
               sizeof(Dimensions) + sizeof(double) * Table::kChannels * Table::kCells);
 constexpr float kInvalid = std::numeric_limits<float>::quiet_NaN();
-
-// One sentence with the file, what was found there and what was expected.
-Error file_error(ErrorCode code, const std::string& file, std::string found, std::string expected) {
-  std::string message = file + ": found " + found + "; expected " + expected;
-  return {code, std::move(message), file, std::move(found), std::move(expected)};
-}
 
 std::string text_of(const Dimensions& dimensions) {
   return std::to_string(dimensions[0]) + " " + std::to_string(dimensions[1]) + " " +
@@ -55,8 +50,7 @@ Error wrong_length(const std::string& file, std::uintmax_t bytes) {
   std::string found = std::to_string(bytes) + " bytes (";
   found += bytes < kRight ? "truncated: " + std::to_string(kRight - bytes) + " missing)"
                           : "too long by " + std::to_string(bytes - kRight) + ")";
-  return file_error(ErrorCode::data_loss, file, std::move(found),
-                    std::to_string(kRight) + " bytes");
+  return file_error(ErrorCode::data_loss, file, found, std::to_string(kRight) + " bytes");
 }
 
 // What can be said before opening: opening a pipe or a device might block for ever.

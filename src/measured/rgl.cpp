@@ -158,6 +158,7 @@ class Incidence {
     const bool seen = std::max({colour[0], colour[plane], colour[2 * plane]}) > 0;
     for (std::uint64_t c = 0; c < kChannels; ++c) {
       const auto value = static_cast<double>(colour[c * plane]);
+      pairs.raised += seen && value < 0 ? 1 : 0;
       pairs.values.push_back(scale * (seen ? std::max(value, 0.0) : value));
     }
   }

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <utility>
 
+#include "measured/file_error.h"
+
 namespace gonio {
 namespace {
 
@@ -26,8 +28,7 @@ bool take(std::string_view bytes, std::size_t& at, T& number) {
 }  // namespace
 
 Error TensorFile::error(const std::string& found, const std::string& expected) const {
-  return {ErrorCode::data_loss, name_ + ": found " + found + "; expected " + expected, name_, found,
-          expected};
+  return file_error(ErrorCode::data_loss, name_, found, expected);
 }
 
 Outcome TensorFile::read_field(std::size_t& at) {
@@ -55,7 +56,8 @@ Outcome TensorFile::read_field(std::size_t& at) {
 Result<TensorFile> TensorFile::parse(std::string_view bytes, std::string name) {
   TensorFile file(bytes, std::move(name));
   if (bytes.substr(0, kMagic.size()) != kMagic)
-    return file.error("other first bytes", "`tensor_file`, version 1.0");
+    return file.error("'" + std::string(bytes.substr(0, kMagic.size())) + "' at its beginning",
+                      "`tensor_file`, version 1.0");
   std::size_t at = kMagic.size();
   std::uint32_t count = 0;
   if (!take(bytes, at, count)) return file.error("its end after the first bytes", "fields");

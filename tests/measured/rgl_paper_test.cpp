@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <string>
 
 #include "data_folder.h"
 #include "measured/pairs.h"
@@ -51,6 +52,21 @@ TEST(MeasuredFiles, RglPaperIsReciprocal) {
   }
   EXPECT_GT(compared, 30);
   EXPECT_NEAR(pairs->values[3 * 100 + 1], 0.28, 0.02);
+}
+
+// As many as numpy counts in the files' `rgb` below 0 where another channel is above.
+TEST(MeasuredFiles, RglValuesBelowZeroAreCounted) {
+  const std::map<std::string, std::size_t> expected{{"cc_ibiza_sunset_rgb.bsdf", 746},
+                                                    {"cg_sunflower_rgb.bsdf", 25948},
+                                                    {"paper_white_rgb.bsdf", 0},
+                                                    {"satin_rosaline_rgb.bsdf", 0}};
+  for (const auto& [name, raised] : expected) {
+    const auto file = data_folder() / "rgl" / name;
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file << ": set GONIO_DATA";
+    const auto pairs = read_rgl(file);
+    ASSERT_TRUE(pairs.ok()) << pairs.error().message;
+    EXPECT_EQ(pairs->raised, raised) << name;
+  }
 }
 
 }  // namespace

@@ -117,11 +117,12 @@ TEST(Rgl, ColoursOutsideOfSrgbAreCutNotLost) {
   EXPECT_EQ(pairs->values[11], 0);
   EXPECT_LT(pairs->values[12], 0);
   EXPECT_LT(pairs->values[14], 0);
+  EXPECT_EQ(pairs->raised, 8U);  // blue of all nodes but the middle's, whose colour stays as it is
 }
 
 TEST(Rgl, SaysWhatIsWrong) {
   const std::string good = made();
-  EXPECT_THAT(error_of("tensor_file"), HasSubstr("film: found other first bytes"));
+  EXPECT_THAT(error_of("tensor_file"), HasSubstr("film: found 'tensor_file' at its beginning"));
   EXPECT_THAT(error_of(good.substr(0, 15)), HasSubstr("its end after the first bytes"));
   EXPECT_THAT(error_of(good.substr(0, 40)), HasSubstr("its end within the list of fields"));
   EXPECT_THAT(error_of(good.substr(0, good.size() - 2)), HasSubstr("beyond the file's end"));
