@@ -1,7 +1,9 @@
 #include "engine/derivative.h"
 
 #include <string>
+#include <vector>
 
+#include "base/near_names.h"
 #include "engine/material_impl.h"
 #include "engine/prepare.h"
 
@@ -18,16 +20,16 @@ struct Choice {
 };
 
 Result<Choice> find_parameter(const CheckedMaterial& material, std::string_view by) {
-  std::string allowed;
+  std::vector<std::string> known;
   for (std::size_t i = 0; i < material.lobes.size(); ++i) {
     for (const Parameter& p : material.lobes[i].model->parameters) {
       if (p.kind == Kind::word) continue;
       const std::string field = field_of(material.named[i], p);
       if (field == by) return Choice{i, p.name};
-      allowed += (allowed.empty() ? "" : ", ") + field;
+      known.push_back(field);
     }
   }
-  return bad_value("by", '"' + std::string(by) + '"', allowed);
+  return unknown_word("by", by, known);
 }
 
 }  // namespace
