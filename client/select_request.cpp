@@ -1,8 +1,11 @@
 // What Client::select sends.
+#include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <utility>
 
+#include "base/near_names.h"
 #include "client/fit_convert.h"
 #include "client/select_convert.h"
 #include "wire/words.h"
@@ -37,12 +40,9 @@ static_assert(wire::same_words<SelectLights, v1::SelectLights>(
 template <class Enum, std::size_t N>
 Result<Enum> named(const std::array<std::string_view, N>& names, const char* field,
                    std::string_view name) {
-  std::string known;
-  for (std::size_t i = 0; i < N; ++i) {
-    if (names[i] == name) return static_cast<Enum>(i);
-    known += (known.empty() ? "" : ", ") + std::string(names[i]);
-  }
-  return bad_value(field, '"' + std::string(name) + '"', known);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<Enum>(found - names.begin());
+  return unknown_word(field, name, std::span<const std::string_view>(names));
 }
 
 void fill(const SelectRange& from, v1::SelectRange& to) {

@@ -1,9 +1,11 @@
 #include "server/build_material.h"
 
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "base/near_names.h"
 #include "gonio/measured/table.h"
 
 namespace gonio {
@@ -115,13 +117,15 @@ Result<std::string> word(const Value& value, const std::string& field, const std
   return bad_value(field, description_of(value), allowed);
 }
 
+constexpr std::array<std::string_view, 2> kInterpolations{"linear", "nearest"};
+constexpr std::array<std::string_view, 2> kMeasuredParameters{"file", "interpolation"};
+
 Result<Interpolation> to_interpolation(const Value& value, const std::string& field) {
-  constexpr const char* kAllowed = "\"linear\" or \"nearest\"";
-  const auto text = word(value, field, kAllowed);
+  const auto text = word(value, field, "linear or nearest");
   if (!text) return text.error();
   if (*text == "linear") return Interpolation::linear;
   if (*text == "nearest") return Interpolation::nearest;
-  return bad_value(field, "\"" + *text + "\"", kAllowed);
+  return unknown_word(field, *text, kInterpolations);
 }
 
 Result<Material> build_measured(const Struct& parameters, const std::string& prefix,
@@ -144,7 +148,8 @@ Result<Material> build_measured(const Struct& parameters, const std::string& pre
       if (!chosen) return chosen.error();
       interpolation = *chosen;
     } else {
-      return bad_value(field, "not a parameter of \"measured\"", "file, interpolation");
+      return bad_value(field, "not a parameter of \"measured\"",
+                       "file, interpolation" + did_you_mean(name, kMeasuredParameters));
     }
   }
   if (file.empty())

@@ -7,8 +7,10 @@
 #include <system_error>
 #include <utility>
 
+#include "base/near_names.h"
+#include "gonio/engine/registry.h"
 #include "gonio/measured/table.h"
-#include "server/near_names.h"
+#include "server/preset_material.h"
 #include "wire/convert.h"
 #include "wire/material_size.h"
 
@@ -98,6 +100,26 @@ Result<std::vector<fs::path>> material_files(const fs::path& folder) {
   return files;
 }
 
+// Whether nothing but a name is given.
+bool is_named(const v1::Material& material) {
+  return !material.name().empty() && material.model().empty() && !material.has_parameters() &&
+         !material.has_diffuse() && material.specular_size() == 0;
+}
+
+Error no_such_material(const std::string& name, const std::vector<std::string>& stored) {
+  std::string allowed = "a stored material, such as: " + near_names(name, stored);
+  if (find_model(name)) {
+    allowed += R"(; for the model: {"model": ")" + name + R"("})";
+  } else {
+    const std::vector<std::string> substances = preset_names();
+    std::vector<std::string> known = stored;
+    known.insert(known.end(), substances.begin(), substances.end());
+    allowed += "; or a substance, such as: " + near_names(name, substances) +
+               did_you_mean(name, std::span<const std::string>(known));
+  }
+  return bad_value("material.name", "\"" + name + "\"", allowed, ErrorCode::not_found);
+}
+
 }  // namespace
 
 Outcome Materials::add(const fs::path& folder, const fs::path& file) {
@@ -144,16 +166,24 @@ Result<PreparedMaterial> Materials::resolve(const std::optional<std::string>& by
     return bad_value("material", "not a " + material.GetTypeName(), "the bytes of one");
   }
   if (find_file_ && material.model() == kMeasuredModel) return build_local(material, *bytes);
+  if (const auto substance = substance_of(material)) {
+    // Kept by what it is: a material may be stored under the name at any time.
+    return resolve(substance->SerializeAsString());
+  }
   auto built = build(material);
   if (built) cache_->keep(*bytes, *built);
   return built;
 }
 
+std::optional<v1::Material> Materials::substance_of(const v1::Material& material) const {
+  if (!is_named(material)) return std::nullopt;
+  const std::shared_lock lock(locks_->stored);
+  if (find(material.name()) != nullptr) return std::nullopt;
+  return preset_material(material.name());
+}
+
 Result<PreparedMaterial> Materials::build(const v1::Material& material) const {
-  const bool only_a_name = !material.name().empty() && material.model().empty() &&
-                           !material.has_parameters() && !material.has_diffuse() &&
-                           material.specular_size() == 0;
-  if (!only_a_name) {
+  if (!is_named(material)) {
     auto built = build_material(material, "material.", find_file_);
     if (!built) return built.error();
     return PreparedMaterial(std::move(*built));
@@ -168,9 +198,7 @@ Result<PreparedMaterial> Materials::build(const v1::Material& material) const {
     if (!unturned.has_tangents() || material.rotation() == 0) return *stored;
     return PreparedMaterial(unturned.turned(material.rotation()));
   }
-  return bad_value("material.name", "\"" + material.name() + "\"",
-                   "a stored material, such as: " + near_names(material.name(), names()),
-                   ErrorCode::not_found);
+  return no_such_material(material.name(), names());
 }
 
 Result<PreparedMaterial> Materials::build_local(const v1::Material& material,

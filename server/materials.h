@@ -68,6 +68,8 @@ class Materials {
 
  private:
   [[nodiscard]] Result<PreparedMaterial> build(const v1::Material& material) const;
+  // The substance (preset_material.h) that is asked for by a name under which nothing is stored.
+  [[nodiscard]] std::optional<v1::Material> substance_of(const v1::Material& material) const;
   // The same of a file of this machine.
   [[nodiscard]] Result<PreparedMaterial> build_local(const v1::Material& material,
                                                      const std::string& bytes) const;

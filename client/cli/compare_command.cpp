@@ -1,20 +1,17 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <utility>
 
 #include "client/cli/check_outputs.h"
 #include "client/cli/commands.h"
+#include "client/cli/compare/report.h"
 #include "client/cli/compare_pictures.h"
 #include "client/cli/comparison.h"
 #include "client/cli/connection.h"
 #include "client/cli/exit_codes.h"
-#include "client/cli/fit_table.h"
 #include "client/cli/output_file.h"
-#include "client/cli/text.h"
 #include "client/lobe/slices.h"
-#include "fit/metrics.h"
 
 namespace gonio::cli {
 namespace {
@@ -40,39 +37,8 @@ struct CompareArguments {
   std::string reference;
   std::vector<std::string> materials;
   bool degrees = false;
-  std::string slices, render;  // empty: none
+  std::string slices, render, report;  // empty: none
 };
-
-client::FitErrors cells(const fit::Errors& errors) {
-  return {errors.l1, errors.rmse, errors.log, errors.cbrt, errors.pairs};
-}
-
-std::string region(const char* name, const fit::Region& of) {
-  char text[96];
-  std::snprintf(text, sizeof(text), "%s %.3g of %.3g", name, of.fitted, of.measured);
-  return text;
-}
-
-std::string row(const std::string& name, const fit::Comparison& comparison, std::size_t width) {
-  const fit::Regions& regions = comparison.regions;
-  return padded(name, width) +
-         error_cells({cells(comparison.errors.all), cells(comparison.errors.below_80),
-                      cells(comparison.errors.above_80)}) +
-         "\n    " + region("mirror", regions.mirror) + ", " +
-         region("toward the light", regions.toward_light) + ", " +
-         region("elsewhere", regions.elsewhere) + "\n";
-}
-
-std::string table_of(const Comparison& comparison) {
-  constexpr std::size_t kName = 28;
-  const fit::Data& data = comparison.data;
-  std::string text = std::to_string(data.size()) + " pairs, " +
-                     std::to_string(data.left_out.total()) + " left out\n\n" + error_head(kName) +
-                     "\n";
-  for (const Compared& one : comparison.compared)
-    text += row(one.name, fit::compare(one.material, data, 0), kName);
-  return text;
-}
 
 Outcome check_picture(const std::string& option, const std::string& file, std::size_t materials,
                       std::size_t most) {
@@ -89,14 +55,20 @@ Outcome check(const CompareArguments& arguments) {
   auto good = check_picture("--slices", arguments.slices, materials, lobe::kMostLines);
   if (good) good = check_picture("--render", arguments.render, materials, kMostSpheres);
   if (!good) return good;
-  return check_outputs({{"--slices", arguments.slices}, {"--render", arguments.render}}, {});
+  std::vector<NamedFile> inputs{{"--reference", arguments.reference}};
+  for (const std::string& material : arguments.materials)
+    inputs.push_back({"--material", material});
+  return check_outputs({{"--slices", arguments.slices},
+                        {"--render", arguments.render},
+                        {"--report", arguments.report}},
+                       inputs);
 }
 
-Outcome write(const std::string& file, const Result<std::string>& png) {
-  if (!png) return png.error();
+Outcome write(const std::string& file, const Result<std::string>& content) {
+  if (!content) return content.error();
   auto output = OutputFile::open(file);
   if (!output) return output.error();
-  return output->write_whole(*png);
+  return output->write_whole(*content);
 }
 
 Outcome draw_spheres(const CompareArguments& arguments, const Comparison& comparison) {
@@ -110,19 +82,30 @@ Outcome draw_spheres(const CompareArguments& arguments, const Comparison& compar
                                              *comparison.input.measured, comparison.compared));
 }
 
+// The pictures that are asked for.
+Outcome draw(const CompareArguments& arguments, const Comparison& comparison) {
+  Outcome drawn = Ok{};
+  if (!arguments.slices.empty()) {
+    drawn = write(arguments.slices, slices_png(shown_name(arguments.reference), comparison.data,
+                                               comparison.compared));
+  }
+  if (drawn && !arguments.render.empty()) drawn = draw_spheres(arguments, comparison);
+  return drawn;
+}
+
 int run(const CompareArguments& arguments) {
   if (auto good = check(arguments); !good) return fail(good.error());
   const auto comparison =
       read_comparison(arguments.reference, arguments.materials, arguments.degrees);
   if (!comparison) return fail(comparison.error());
-  Outcome drawn = Ok{};
-  if (!arguments.slices.empty()) {
-    drawn = write(arguments.slices, slices_png(shown_name(arguments.reference), comparison->data,
-                                               comparison->compared));
+  if (auto drawn = draw(arguments, *comparison); !drawn) return fail(drawn.error());
+  const auto found = errors_of(*comparison);
+  if (!arguments.report.empty()) {
+    const auto written =
+        write(arguments.report, compare_json(arguments.reference, *comparison, found));
+    if (!written) return fail(written.error());
   }
-  if (drawn && !arguments.render.empty()) drawn = draw_spheres(arguments, *comparison);
-  if (!drawn) return fail(drawn.error());
-  const auto shown = print(table_of(*comparison));
+  const auto shown = print_table(compare_table(*comparison, found), arguments.report == "-");
   return shown ? exit_ok : fail(shown.error());
 }
 
@@ -145,6 +128,10 @@ Command add_compare_command(CLI::App& app) {
   command->add_option("--slices", arguments->slices, "Where a picture of slices goes, a .png")
       ->type_name("OUT");
   command->add_option("--render", arguments->render, "Where a picture of spheres goes, a .png")
+      ->type_name("OUT");
+  command
+      ->add_option("--report", arguments->report,
+                   "Where the errors go as JSON; - is stdout, the table then goes to stderr")
       ->type_name("OUT");
   return {command, [arguments] { return run(*arguments); }};
 }

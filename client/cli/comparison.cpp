@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "client/cli/material_argument.h"
+#include "client/cli/text.h"
 #include "engine/material_impl.h"
 #include "server/materials.h"
 
@@ -31,6 +32,24 @@ Result<fit::Data> data_of(const MeasuredInput& input, const Materials& materials
                          wide(input.weights));
 }
 
+// Nothing can be said of measurements of which none can be used.
+Outcome check_usable(const std::string& file, const fit::Data& data) {
+  if (data.size() > 0) return Ok{};
+  const fit::LeftOut& out = data.left_out;
+  std::vector<std::string> why;
+  for (const auto& [count, what] :
+       {std::pair(out.not_finite, " not finite"), std::pair(out.not_unit, " not unit"),
+        std::pair(out.below_horizon, " below the horizon"),
+        std::pair(out.negative, " negative or not measured"),
+        std::pair(out.no_weight, " without weight")}) {
+    if (count > 0) why.push_back(std::to_string(count) + what);
+  }
+  const std::string reasons = why.empty() ? "" : " (" + joined(why, ", ") + ")";
+  return bad_value("the data of " + file,
+                   "without a usable pair, " + std::to_string(out.total()) + " left out" + reasons,
+                   "one pair or more whose directions and values can be used");
+}
+
 Outcome check_channels(const std::string& name, const Material& material, const fit::Data& data) {
   if (material.channels() == 1 || material.channels() == data.channels) return Ok{};
   return bad_value("--material " + name,
@@ -54,6 +73,7 @@ Result<Comparison> read_comparison(const std::string& reference,
   if (!input) return input.error();
   auto data = data_of(*input, materials);
   if (!data) return data.error();
+  if (auto usable = check_usable(reference, *data); !usable) return usable.error();
   Comparison comparison{std::move(*input), std::move(*data), {}};
   for (const std::string& argument : arguments) {
     auto one = build(materials, argument);
@@ -72,6 +92,7 @@ Result<chart::Measured> read_chart_data(const std::string& file, bool degrees) {
   if (!input) return input.error();
   auto data = data_of(*input, materials);
   if (!data) return data.error();
+  if (auto usable = check_usable(file, *data); !usable) return usable.error();
   chart::Measured measured{shown_name(file), std::move(*data), nullptr};
   if (!input->measured) return measured;
   const auto material = materials.resolve(input->measured->wire());

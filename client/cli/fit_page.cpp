@@ -20,6 +20,11 @@ std::string number(double x, const char* format = "%.4g") {
   return text;
 }
 
+// The L1 error of a zone.
+std::string l1_of(const client::FitErrors& errors) {
+  return errors.pairs == 0 ? "no pairs" : number(errors.l1);
+}
+
 std::string row(const std::vector<std::string>& cells) {
   return "| " + joined(cells, " | ") + " |\n";
 }
@@ -35,7 +40,7 @@ std::string numbers(const std::vector<double>& values) {
 }
 
 std::string zone(const char* name, const client::FitErrors& errors) {
-  if (errors.pairs == 0) return row({name, "0", "-", "-", "-", "-"});
+  if (errors.pairs == 0) return row({name, "no pairs", "-", "-", "-", "-"});
   return row({name, std::to_string(errors.pairs), number(errors.l1), number(errors.rmse),
               number(errors.log), number(errors.cbrt)});
 }
@@ -165,8 +170,8 @@ std::string fit_page(const std::vector<NamedFit>& fits, const FitArguments& argu
   for (const NamedFit& fit : fits) {
     const FitCertificate& certificate = fit.result.certificate;
     const auto& errors = certificate.errors;
-    text += row({fit.name, std::string(name_of(certificate.verdict)), number(errors.all.l1),
-                 number(errors.below_80.l1), number(errors.above_80.l1),
+    text += row({fit.name, std::string(name_of(certificate.verdict)), l1_of(errors.all),
+                 l1_of(errors.below_80), l1_of(errors.above_80),
                  number(certificate.cpu_seconds, "%.3g")});
   }
   for (const NamedFit& fit : fits) text += section(fit);

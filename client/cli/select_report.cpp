@@ -10,6 +10,10 @@ namespace gonio::cli {
 namespace {
 
 constexpr std::size_t kCell = 10;
+constexpr const char* kErrors =
+    "Searched: the error on the directions by which candidates are compared. Certified: that of "
+    "the "
+    "choice on directions that it was neither fitted to nor chosen by.";
 
 std::string number(double x) {
   char text[32];
@@ -32,12 +36,19 @@ std::size_t width_of(const Items& items, const NameOf& name_of, std::size_t leas
   return width + 2;
 }
 
-std::string row(const client::SelectEntry& entry, bool chosen, std::size_t width) {
-  const std::string mark = chosen ? "*" : entry.on_front ? "o" : " ";
+// Of the choice both errors are known, by name.
+std::string chosen_remark(const client::SelectChoice& choice) {
+  return "chosen; certified " + number(choice.error.value) + ", at most " +
+         number(choice.error.upper);
+}
+
+std::string row(const client::SelectEntry& entry, const client::SelectChoice* choice,
+                std::size_t width) {
+  const std::string mark = choice != nullptr ? "*" : entry.on_front ? "o" : " ";
   return mark + " " + padded(entry.name, width) + padded(std::to_string(entry.parameters), kCell) +
          cell(entry.ns) + padded(bytes(static_cast<double>(entry.bytes)), kCell) +
          cell(entry.cost) + cell(entry.error.value) + cell(entry.error.upper) +
-         (chosen ? "chosen" : entry.remark) + "\n";
+         (choice != nullptr ? chosen_remark(*choice) : entry.remark) + "\n";
 }
 
 const client::SelectEntry* chosen_of(const NamedSelection& material) {
@@ -98,15 +109,16 @@ std::string select_table(const client::Selection& selection, bool all) {
   const std::size_t width = width_of(
       selection.entries, [](const auto& entry) { return entry.name; }, 9);
   std::string text = "  " + padded("candidate", width);
-  for (const char* head : {"numbers", "ns", "bytes", "cost", "error", "at most"})
+  for (const char* head : {"numbers", "ns", "bytes", "cost", "searched", "at most"})
     text += padded(head, kCell);
   text += "\n";
   for (std::size_t i = 0; i < selection.entries.size(); ++i) {
     const bool chosen = selection.choice && selection.choice->entry == i;
     const client::SelectEntry& entry = selection.entries[i];
-    if (all || chosen || entry.on_front) text += row(entry, chosen, width);
+    if (all || chosen || entry.on_front)
+      text += row(entry, chosen ? &*selection.choice : nullptr, width);
   }
-  return text + "\n" + wrapped(selection.reason, 0) + "\n";
+  return text + "\n" + wrapped(kErrors, 0) + "\n" + wrapped(selection.reason, 0) + "\n";
 }
 
 std::string scene_table(const std::vector<NamedSelection>& materials) {
@@ -115,7 +127,7 @@ std::string scene_table(const std::vector<NamedSelection>& materials) {
                     choice = width_of(materials, chosen_name, 6);
   std::string text = padded("material", name) + padded("ns", kCell) + padded("bytes", kCell) +
                      padded("choice", choice) + padded("ns", kCell) + padded("bytes", kCell) +
-                     padded("error", kCell) + "at most\n";
+                     padded("certified", kCell) + "at most\n";
   for (const NamedSelection& material : materials) {
     text += padded(material.name, name) + costs(reference_of(material)) +
             padded(chosen_name(material), choice) + costs(chosen_of(material));

@@ -9,7 +9,7 @@
 namespace gonio::lobe {
 namespace {
 
-constexpr double kFewestDecades = 2, kMostDecades = 6;
+constexpr double kNothing = 1e-60;  // of the end: what a logarithm shows in the place of 0
 
 // 1, 2 or 5 times a power of ten, not below `value`.
 double rounded_up(double value) {
@@ -69,6 +69,13 @@ double Scale::position(double value) const {
       break;
   }
   return std::max(0.0, 1 + std::log10(part) / decades_);
+}
+
+double Scale::unbounded_position(double value) const {
+  const double part = value / end_;
+  if (kind_ == ScaleKind::linear) return part;
+  if (kind_ == ScaleKind::cbrt) return std::cbrt(part);
+  return 1 + std::log10(std::max(part, kNothing)) / decades_;
 }
 
 std::vector<Tick> Scale::ticks() const {

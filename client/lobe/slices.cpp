@@ -27,17 +27,35 @@ Pen pen_of(std::size_t material) {
   return {kColours[material % kColours.size()], 2, material >= kColours.size()};
 }
 
-// From the least to the most of what is measured in a column.
-Scale scale_of(const std::vector<SlicePanel>& panels, std::size_t column, std::size_t columns) {
+// The least and the most of the positive values.
+struct Range {
   double least = std::numeric_limits<double>::infinity(), most = 0;
+  void take(double value) {
+    if (!(value > 0) || std::isinf(value)) return;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+};
+
+// From the least to the most of what is measured in a column, and a decade more at each end where
+// lines go beyond it and there is room: a fit that is wrong by more leaves the frame, and all that
+// is measured keeps its place.
+Scale scale_of(const std::vector<SlicePanel>& panels, std::size_t column, std::size_t columns) {
+  Range measured, lines;
   for (std::size_t i = column; i < panels.size(); i += columns) {
-    for (const Spot& spot : panels[i].measured) {
-      if (!(spot.y > 0)) continue;
-      least = std::min(least, spot.y);
-      most = std::max(most, spot.y);
+    for (const Spot& spot : panels[i].measured) measured.take(spot.y);
+    for (const auto& line : panels[i].lines) {
+      for (const double value : line) lines.take(value);
     }
   }
-  return most > 0 ? Scale(ScaleKind::log, least, most) : Scale(ScaleKind::log, 0.01, 1);
+  if (measured.most == 0) measured = lines;
+  if (measured.most == 0) return {ScaleKind::log, 0.01, 1};
+  double top = std::ceil(std::log10(measured.most) - 1e-9);
+  double bottom = std::floor(std::log10(measured.least));
+  const auto room = [&] { return top - bottom + 1 <= Scale::kMostDecades; };
+  if (room() && std::log10(lines.most) > top) ++top;
+  if (room() && std::log10(lines.least) < bottom) --bottom;
+  return {ScaleKind::log, std::pow(10, bottom), std::pow(10, top)};
 }
 
 // Where a panel's axes are, and what lies where between them.
@@ -79,13 +97,14 @@ void draw_panel(Canvas& canvas, const Frame& frame, const Scale& scale, const Sl
   canvas.text({frame.right, frame.top - 0.8 * kText}, "f in 1/sr", kSmall, Align::right, kInk);
   canvas.clip(std::array{Spot{frame.left, frame.top}, Spot{frame.right, frame.bottom}});
   for (const Spot& spot : panel.measured) {
-    const double position = scale.position(spot.y);
-    if (position > 0) canvas.dot({frame.x(spot.x), frame.y(position)}, 2.2, kDot);
+    if (spot.y > 0)
+      canvas.dot({frame.x(spot.x), frame.y(scale.unbounded_position(spot.y))}, 2.2, kDot);
   }
   for (std::size_t line = 0; line < panel.lines.size(); ++line) {
     std::vector<Spot> spots;
     for (std::size_t i = 0; i < panel.theta_o.size(); ++i) {
-      spots.push_back({frame.x(panel.theta_o[i]), frame.y(scale.position(panel.lines[line][i]))});
+      const double position = scale.unbounded_position(panel.lines[line][i]);
+      spots.push_back({frame.x(panel.theta_o[i]), frame.y(position)});
     }
     canvas.line(spots, pen_of(line));
   }
@@ -127,7 +146,8 @@ Result<std::vector<std::uint8_t>> draw_slices(const SlicesPicture& picture,
   }
   canvas.text({picture.width / 2.0, picture.height - 0.5 * kFoot},
               "θₒ in the plane of incidence, negative on the side of the light; dashed: the light "
-              "(orange) and the mirror direction (grey)",
+              "(orange) and the mirror direction (grey); lines leave the frame where they are "
+              "beyond it",
               kText, Align::centre, kInk);
   return canvas.rgb();
 }

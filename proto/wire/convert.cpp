@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "wire/material_keys.h"
+
 namespace gonio::wire {
 
 gonio::v1::Precision to_wire(Precision precision) {
@@ -77,6 +79,7 @@ Result<gonio::v1::Material> material_from_json(std::string_view json) {
   const auto status = google::protobuf::util::JsonStringToMessage(
       google::protobuf::StringPiece(json.data(), json.size()), &material);
   if (status.ok()) return material;
+  if (auto known = check_material_keys(json); !known) return known.error();
   return Error{
       ErrorCode::invalid_argument,
       "not the JSON of a material: " +

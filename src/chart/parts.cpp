@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "base/near_names.h"
 #include "chart/example.h"
 
 namespace gonio::chart {
@@ -50,10 +51,9 @@ std::span<const Part> all_parts() { return kParts; }
 Outcome check(const std::vector<std::string>& parts, const Options& options) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (std::ranges::find(kParts, parts[i], &Part::name) != kParts.end()) continue;
-    std::string allowed;
-    for (const Part& part : kParts)
-      allowed += (allowed.empty() ? "" : ", ") + std::string(part.name);
-    return bad_value("parts[" + std::to_string(i) + "]", "\"" + parts[i] + "\"", allowed);
+    std::vector<std::string_view> known;
+    for (const Part& part : kParts) known.push_back(part.name);
+    return unknown_word("parts[" + std::to_string(i) + "]", parts[i], known);
   }
   if (auto good = check_range("repetitions", options.effort.repetitions, 1, 1000, "1 to 1000");
       !good)

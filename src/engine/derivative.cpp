@@ -1,7 +1,9 @@
 #include "engine/derivative.h"
 
 #include <string>
+#include <vector>
 
+#include "base/near_names.h"
 #include "engine/material_impl.h"
 #include "engine/prepare.h"
 
@@ -23,16 +25,17 @@ Result<Choice> find_parameter(const CheckedMaterial& material, std::string_view 
     for (std::size_t i = 0; i < material.lobes.size(); ++i) all.lobes.push_back(i);
     return all;
   }
-  std::string allowed;
+  std::vector<std::string> known;
   for (std::size_t i = 0; i < material.lobes.size(); ++i) {
     for (const Parameter& p : material.lobes[i].model->parameters) {
       if (p.kind == Kind::word) continue;
       const std::string field = field_of(material.named[i], p);
       if (field == by) return Choice{{i}, p.name};
-      allowed += (allowed.empty() ? "" : ", ") + field;
+      known.push_back(field);
     }
   }
-  return bad_value("by", '"' + std::string(by) + '"', allowed + ", " + std::string(kRotation.name));
+  known.emplace_back(kRotation.name);
+  return unknown_word("by", by, known);
 }
 
 }  // namespace

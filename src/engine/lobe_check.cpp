@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/near_names.h"
 #include "gonio/engine/registry.h"
 
 namespace gonio {
@@ -16,11 +17,10 @@ std::string joined(std::span<const std::string_view> words, std::string_view sep
   return all;
 }
 
-std::string parameter_names(const ModelDescription& model) {
-  std::string all;
-  for (const Parameter& p : model.parameters)
-    all += (all.empty() ? "" : ", ") + std::string(p.name);
-  return all.empty() ? "no parameters" : all;
+std::vector<std::string_view> parameter_names(const ModelDescription& model) {
+  std::vector<std::string_view> names;
+  for (const Parameter& p : model.parameters) names.push_back(p.name);
+  return names;
 }
 
 const ParameterValue* find(const LobeSpec& lobe, std::string_view name) {
@@ -29,12 +29,12 @@ const ParameterValue* find(const LobeSpec& lobe, std::string_view name) {
 }
 
 Outcome check_names(const ModelDescription& model, const NamedLobe& lobe) {
+  const std::vector<std::string_view> known = parameter_names(model);
   for (const auto& [name, value] : lobe.spec->parameters) {
-    const auto known = [&name = name](const Parameter& p) { return p.name == name; };
-    if (std::none_of(model.parameters.begin(), model.parameters.end(), known)) {
-      return bad_value(lobe.prefix + "parameters." + name,
-                       "not a parameter of " + std::string(model.name), parameter_names(model));
-    }
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    return bad_value(
+        lobe.prefix + "parameters." + name, "not a parameter of " + std::string(model.name),
+        known.empty() ? "no parameters" : joined(known) + did_you_mean(name, known));
   }
   return Ok{};
 }
@@ -45,7 +45,7 @@ Result<std::size_t> check_word(const std::string& field, const Parameter& p,
   const auto* word = std::get_if<std::string>(&given);
   if (word == nullptr) return bad_value(field, "a number", joined(p.words));
   const auto found = std::find(p.words.begin(), p.words.end(), *word);
-  if (found == p.words.end()) return bad_value(field, '"' + *word + '"', joined(p.words));
+  if (found == p.words.end()) return unknown_word(field, *word, p.words);
   return static_cast<std::size_t>(found - p.words.begin());
 }
 
@@ -114,13 +114,44 @@ Outcome check_partner(const NamedLobe& lobe, const Parameter& p, const Parameter
                    '"' + *preset + "\", as for " + std::string(p.name) + ", or numbers");
 }
 
+// What a word may have meant that is no preset of `p`: one that other parameters of the model have,
+// as metals stand for eta and k and not for f0, or one that is written like it.
+std::string preset_hint(const ModelDescription& model, const Parameter& p,
+                        const std::string& word) {
+  std::vector<std::string_view> holders, names;
+  for (const Preset& preset : p.presets) names.push_back(preset.name);
+  for (const Parameter& other : model.parameters) {
+    for (const Preset& preset : other.presets) {
+      if (preset.name == word) holders.push_back(other.name);
+      if (std::find(names.begin(), names.end(), preset.name) == names.end())
+        names.push_back(preset.name);
+    }
+  }
+  if (holders.empty()) return did_you_mean(word, names);
+  std::string given;
+  for (const std::string_view holder : holders) {
+    given += (given.empty() ? "\"" : ", \"") + std::string(holder) + "\": \"" + word + "\"";
+  }
+  return "; " + word + " is known by " + joined(holders, " and ") + ": " + given;
+}
+
+Result<std::vector<double>> numbers_of(const NamedLobe& lobe, const ModelDescription& model,
+                                       const Parameter& p, const ParameterValue& given,
+                                       ChannelCount& channels) {
+  const std::string field = lobe.prefix + "parameters." + std::string(p.name);
+  auto numbers = check_numbers(field, p, given, channels);
+  const auto* word = std::get_if<std::string>(&given);
+  if (numbers || word == nullptr) return numbers;
+  const Error& error = numbers.error();
+  return bad_value(error.field, error.value, error.allowed + preset_hint(model, p, *word));
+}
+
 Outcome check_parameter(const NamedLobe& lobe, const Parameter& p, CheckedLobe& checked,
                         ChannelCount& channels) {
   if (p.kind == Kind::word) return check_choice(lobe, p, checked);
   const ParameterValue* given = find(*lobe.spec, p.name);
   if (given == nullptr) return checked.values.set(p.name, {p.start}), Ok{};
-  const std::string field = lobe.prefix + "parameters." + std::string(p.name);
-  Result<std::vector<double>> numbers = check_numbers(field, p, *given, channels);
+  Result<std::vector<double>> numbers = numbers_of(lobe, *checked.model, p, *given, channels);
   if (!numbers) return numbers.error();
   if (Outcome partner = check_partner(lobe, p, *given); !partner) return partner;
   return checked.values.set(p.name, std::move(numbers).value()), Ok{};

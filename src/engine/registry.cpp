@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/near_names.h"
 #include "engine/degrees.h"
 #include "engine/prepare.h"
 #include "models/all.h"
@@ -123,12 +124,12 @@ std::span<const ModelDescription> models() {
 }
 
 Result<const ModelDescription*> find_model(std::string_view name) {
-  std::string known;
+  std::vector<std::string_view> known;
   for (const ModelDescription& model : models()) {
     if (model.name == name) return &model;
-    known += (known.empty() ? "" : ", ") + std::string(model.name);
+    known.push_back(model.name);
   }
-  return bad_value("model", '"' + std::string(name) + '"', known, ErrorCode::not_found);
+  return unknown_word("model", name, known, ErrorCode::not_found);
 }
 
 PreparedLobe prepare(const ModelDescription& model, std::size_t kind,

@@ -4,6 +4,8 @@
 #include <memory>
 #include <random>
 
+#include "base/near_names.h"
+#include "gonio/base/shown.h"
 #include "gonio/engine/evaluate.h"
 #include "gonio/engine/sampler.h"
 #include "timing/pairs.h"
@@ -15,12 +17,22 @@ namespace {
 constexpr std::size_t kTable = std::size_t{1} << 20, kManyPairs = 65'536;
 constexpr std::size_t kIncident = 64, kSamples = 256;  // of the second moment
 
+// What may have been meant by the part that is missing: a part that is given and not asked for.
+std::string wrongly_written(const CostTable& table, const std::string& part) {
+  std::vector<std::string> given;
+  for (const auto& [name, ns] : table) given.push_back(name);
+  const auto near = nearest_name(part, std::span<const std::string>(given));
+  if (!near) return {};
+  return "; is it the one that is given as \"" + shown(*near, kQuotedLength) + "\"?";
+}
+
 Result<double> ns_from(const CostTable& table, const std::vector<std::string>& parts) {
   double sum = 0;
   for (const std::string& part : parts) {
     const auto found = table.find(part);
     if (found == table.end())
-      return bad_value("options.costs", "without \"" + part + "\"", "a number for every part");
+      return bad_value("options.costs", "without \"" + part + "\"",
+                       "a number for every part" + wrongly_written(table, part));
     if (!(found->second > 0))
       return bad_value("options.costs." + part, std::to_string(found->second), "above 0");
     sum += found->second;

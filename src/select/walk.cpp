@@ -123,7 +123,7 @@ Selection Walk::finish() && {
     return std::move(selection_);
   }
   const Choice& choice = *found.choice;
-  std::string reason = found.entries[choice.entry].name + " has an error of " +
+  std::string reason = found.entries[choice.entry].name + " has a certified error of " +
                        number(choice.error.value) + ", at most " + number(choice.error.upper) +
                        " with " + number(100 * choice.confidence, 6) +
                        " % confidence; the tolerance is " + number(scene_.tolerance);

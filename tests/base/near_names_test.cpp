@@ -1,4 +1,4 @@
-#include "server/near_names.h"
+#include "base/near_names.h"
 
 #include <gtest/gtest.h>
 
