@@ -98,6 +98,7 @@ Subject subject_of(const Sampler& sampler, Isa isa) {
                                                 : draw<double>(sampler, wi, count, numbers, isa);
           },
       .rarer = rarer_than_outside(material),
+      .table = material.impl().table,
       .truth = Truth(material),
       .roundings = Truth::of_roundings(material, kStep),
       .naive32 = NaiveMaterial<float>::of(material),
