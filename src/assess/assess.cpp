@@ -6,6 +6,7 @@
 #include "assess/accuracy.h"
 #include "assess/energy.h"
 #include "assess/places.h"
+#include "assess/samples.h"
 #include "assess/verdict.h"
 
 namespace gonio::assess {
@@ -34,7 +35,9 @@ Result<Report> assess(const Subject& subject, const Options& options,
   }
   for (const Angles& angles : incidences_of(subject, options.seed)) {
     if (is_over()) break;
-    report.incidences.push_back(look_from(angles, subject, options.seed, stop));
+    const Energy energy = integrate_from(angles, subject, stop);
+    if (is_over()) break;
+    report.incidences.push_back(sample_from(energy, subject, options.seed));
   }
   if (is_over()) return Error{ErrorCode::cancelled, "the assessment was cancelled", {}, {}, {}};
   judge(options.limits, report);

@@ -17,6 +17,11 @@
 
 namespace gonio::assess {
 
+// How often a good material may fail for the choice of its samples alone: the limits of the checks
+// of samples, where they are not given, share this among all that is looked at (each incidence,
+// each channel).
+inline constexpr double kFalseAlarms = 1e-3;
+
 // What is still allowed. No value is ever allowed to be NaN, infinite or negative, nor light where
 // there is none.
 struct Limits {
@@ -27,8 +32,8 @@ struct Limits {
   double loss = 1;                     // albedo below 1; 1: any
   double mass = 5e-3;                  // |integral of the pdf + lost mass - 1|
   std::optional<double> weight_error;  // if not given, the bound of Precision::fast and 4 roundings
-  double probability = 1e-6;           // the least of chi-square
-  double deviation = 5;                // of albedos by samples, in standard errors
+  std::optional<double> probability;   // the least of chi-square; if not given, by kFalseAlarms
+  std::optional<double> deviation;     // Incidence::deviation; if not given, by kFalseAlarms
 };
 
 struct Options {

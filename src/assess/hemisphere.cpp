@@ -8,8 +8,7 @@ namespace gonio::assess {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kTolerance = 1e-6;   // of a cell, relative to the whole integral
-constexpr double kLargest = 1. / 64;  // of the mass, that a cell may hold
+constexpr double kTolerance = 1e-6;  // of a cell, relative to the whole integral
 // Of few columns; many columns, fewer cells.
 constexpr std::size_t kMostCells = 60'000, kMostNumbers = 600'000;
 
@@ -30,10 +29,10 @@ void tidy(std::vector<double>& edges) {
 }  // namespace
 
 Subdivision::Subdivision(const Direction& wi, std::size_t columns, const Integrands& integrands,
-                         double tangents)
-    : wi_(wi), columns_(columns + 1) {
+                         double tangents, double largest)
+    : wi_(wi), columns_(columns + 1), largest_(largest) {
   lay_first_cells(tangents);
-  integrals_ = integrate(cells_, integrands);
+  integrals_ = integrate(cells_, columns, integrands);
   scales_.assign(columns_, 0);
   for (std::size_t i = 0; i < integrals_.size(); ++i) scales_[i % columns_] += integrals_[i];
   changes_.assign(columns_, 0);
@@ -99,11 +98,10 @@ void Subdivision::append_nodes(const Cell& cell, std::vector<double>& wo,
 }
 
 // A few cells at a time, or the values of many channels would take a gigabyte.
-std::vector<double> Subdivision::integrate(const std::vector<Cell>& cells,
+std::vector<double> Subdivision::integrate(const std::vector<Cell>& cells, std::size_t given,
                                            const Integrands& integrands) const {
   constexpr std::size_t kRun = 64, kSquare = kNodes * kNodes;
-  std::vector<double> wo, weights, sums(cells.size() * columns_);
-  const std::size_t given = columns_ - 1;
+  std::vector<double> wo, weights, sums(cells.size() * (given + 1));
   for (std::size_t begin = 0; begin < cells.size(); begin += kRun) {
     wo.clear();
     weights.clear();
@@ -111,7 +109,7 @@ std::vector<double> Subdivision::integrate(const std::vector<Cell>& cells,
       append_nodes(cells[i], wo, weights);
     const std::vector<double> values = integrands(wo);
     for (std::size_t i = 0; i < weights.size(); ++i) {
-      double* to = &sums[(begin + i / kSquare) * columns_];
+      double* to = &sums[(begin + i / kSquare) * (given + 1)];
       for (std::size_t c = 0; c < given; ++c) to[c] += weights[i] * values[i * given + c];
       to[given] += weights[i];
     }
@@ -145,7 +143,7 @@ void Subdivision::refine(const Integrands& integrands) {
       const auto halves = halves_of(cells_[i]);
       tried.insert(tried.end(), halves.begin(), halves.end());
     }
-    const std::vector<double> sums = integrate(tried, integrands);
+    const std::vector<double> sums = integrate(tried, columns_ - 1, integrands);
     std::vector<std::size_t> next;
     for (std::size_t k = 0; k < wave.size(); ++k) {
       const auto at = sums.begin() + static_cast<std::ptrdiff_t>(4 * k * columns_);
@@ -172,7 +170,7 @@ void Subdivision::settle(std::size_t cell, const std::vector<double>& halves,
   }
   const bool across_u = by_u > by_t;
   const std::size_t first = across_u ? 0 : 2;
-  const bool coarse = integrals_[cell * columns_] > kLargest;
+  const bool coarse = integrals_[cell * columns_] > largest_;
   const std::size_t most = std::min(kMostCells, kMostNumbers / columns_);
   if ((std::max(by_u, by_t) > kTolerance || coarse) && cells_.size() < most) {
     const auto parts = halves_of(cells_[cell]);

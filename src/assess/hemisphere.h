@@ -30,14 +30,19 @@ struct Bin {
 
 class Subdivision {
  public:
-  // `tangents`: the azimuth of the material's u, in radians.
+  // `tangents`: the azimuth of the material's u, in radians. No cell holds more than `largest` of
+  // the density's mass. Of a density with many small jumps, as a table's, the rule sees only those
+  // that fall between its nodes: it needs small cells.
   Subdivision(const Direction& wi, std::size_t columns, const Integrands& integrands,
-              double tangents = 0);
+              double tangents = 0, double largest = 1. / 64);
 
   [[nodiscard]] double integral(std::size_t column) const { return totals_[column]; }
   [[nodiscard]] double solid_angle() const { return totals_.back(); }
   // How much the last halvings changed the integral, all changes taken as positive.
   [[nodiscard]] double change(std::size_t column) const { return changes_[column]; }
+  // The integrals of other columns, by the same cells.
+  [[nodiscard]] std::vector<double> integrals(std::size_t columns,
+                                              const Integrands& integrands) const;
 
   // Neighbouring cells together, each bin with at least `least` of the density's mass.
   [[nodiscard]] std::vector<Bin> bins(double least);
@@ -58,7 +63,8 @@ class Subdivision {
   void settle(std::size_t cell, const std::vector<double>& halves, std::vector<std::size_t>& next);
   [[nodiscard]] std::array<Cell, 4> halves_of(const Cell& cell) const;
   void append_nodes(const Cell& cell, std::vector<double>& wo, std::vector<double>& weights) const;
-  [[nodiscard]] std::vector<double> integrate(const std::vector<Cell>& cells,
+  // `given` columns of each cell and its solid angle.
+  [[nodiscard]] std::vector<double> integrate(const std::vector<Cell>& cells, std::size_t given,
                                               const Integrands& integrands) const;
   [[nodiscard]] double reach(double u) const;
   [[nodiscard]] Direction direction(double u, double t) const;
@@ -66,6 +72,7 @@ class Subdivision {
 
   Direction wi_;
   std::size_t columns_;  // with the solid angle as the last
+  double largest_;
   std::vector<double> u_edges_, t_edges_;
   std::vector<Cell> cells_;
   std::vector<double> integrals_;  // columns_ of each cell

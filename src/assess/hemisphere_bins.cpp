@@ -1,6 +1,7 @@
-// The bins of a subdivision.
+// What else is made of a subdivision's cells: bins, and integrals of other columns.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "assess/hemisphere.h"
@@ -14,6 +15,20 @@ std::size_t interval_of(const std::vector<double>& edges, double x) {
 }
 
 }  // namespace
+
+std::vector<double> Subdivision::integrals(std::size_t columns,
+                                           const Integrands& integrands) const {
+  std::vector<Cell> leaves;
+  std::ranges::copy_if(cells_, std::back_inserter(leaves),
+                       [](const Cell& cell) { return cell.child == 0; });
+  const std::vector<double> of_leaves = integrate(leaves, columns, integrands);
+  std::vector<double> sums(columns);
+  for (std::size_t i = 0; i < of_leaves.size(); ++i) {
+    if (const std::size_t column = i % (columns + 1); column < columns)
+      sums[column] += of_leaves[i];
+  }
+  return sums;
+}
 
 std::vector<Bin> Subdivision::bins(double least) {
   std::vector<Bin> bins(1);

@@ -46,12 +46,16 @@ struct Incidence {
   double theta = 0, phi = 0;           // radians
   std::vector<double> albedo;          // of each channel
   std::vector<double> sampled;         // the same as the mean weight of samples
-  std::vector<double> standard_error;  // of those
-  double mass = 0;                     // the integral of the pdf
-  double lost = 0;                     // the part of samples below the horizon
-  double unsure = 0;                   // of the quadrature, the largest of mass and albedos
-  double probability = 1;              // of samples as far from the pdf or farther, by chi-square
-  Worst weight;                        // weight pdf against f cos(theta_o), of fast samples
+  std::vector<double> standard_error;  // of those, as the samples show it
+  // How far they are off once rare large weights count for less, in standard errors that are wider
+  // by what such weights can do (Bernstein's inequality): z or more has a probability of
+  // 2 exp(-z^2 / 2) or less.
+  std::vector<double> deviation;
+  double mass = 0;         // the integral of the pdf
+  double lost = 0;         // the part of samples below the horizon
+  double unsure = 0;       // of the quadrature, the largest of mass and albedos
+  double probability = 1;  // of samples as far from the pdf or farther, by chi-square
+  Worst weight;            // weight pdf against f cos(theta_o), of fast samples
 };
 
 // One thing that was asked for, and whether it is so.

@@ -101,6 +101,7 @@ Subject subject_of(const Sampler& sampler, Isa isa) {
           },
       .tangents = material.impl().rotation * (std::numbers::pi / 180),
       .rarer = rarer_than_outside(material),
+      .table = material.impl().table,
       .truth = Truth(material),
       .roundings = Truth::of_roundings(material, kStep),
       .naive32 = NaiveMaterial<float>::of(material),

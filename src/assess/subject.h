@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "engine/truth.h"
 #include "gonio/engine/material.h"
 #include "gonio/engine/sampler.h"
+#include "gonio/measured/table.h"
 
 namespace gonio::assess {
 
@@ -50,6 +52,8 @@ struct Subject {
 
   // Refractive indices below 1 of its dielectrics: beyond an angle they reflect all.
   std::vector<double> rarer;
+
+  std::shared_ptr<const MeasuredTable> table;  // of a measured material, else null
 
   Truth truth;
   std::vector<Truth> roundings;  // see Truth::of_roundings; by kStep

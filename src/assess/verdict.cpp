@@ -71,7 +71,8 @@ class Judgement {
                 [](const Incidence& at) { return std::abs(at.mass + at.lost - 1) - at.unsure; });
     from_angles("weights", limits_.weight_error.value_or(report_.fast.relative + kRoundings),
                 [](const Incidence& at) { return at.weight.error; });
-    from_angles("sampled_albedo", limits_.deviation, deviation);
+    from_angles("sampled_albedo", limits_.deviation.value_or(most_deviation()),
+                [](const Incidence& at) { return worst_of(at.deviation); });
     judge_distribution();
   }
 
@@ -91,7 +92,7 @@ class Judgement {
 
   // The one check with a least value.
   void judge_distribution() {
-    Check check{"distribution", 1, limits_.probability, true, {}};
+    Check check{"distribution", 1, limits_.probability.value_or(least_probability()), true, {}};
     for (const Incidence& at : report_.incidences) {
       if (at.probability >= check.value) continue;
       check.value = at.probability;
@@ -101,16 +102,22 @@ class Judgement {
     report_.checks.push_back(std::move(check));
   }
 
-  // Of the mean weight from the quadrature's albedo, in standard errors, over all channels.
-  static double deviation(const Incidence& at) {
+  static double worst_of(const std::vector<double>& values) {
     double most = 0;
-    for (std::size_t c = 0; c < at.albedo.size(); ++c) {
-      const double own = at.unsure + 1e-6 * at.albedo[c];
-      const double off = std::abs(at.sampled[c] - at.albedo[c]) - own;
-      const double error = std::max(at.standard_error[c], 1e-12);
-      if (!(off / error <= most)) most = off / error;
+    for (const double value : values) {
+      if (!(value <= most)) most = value;
     }
     return most;
+  }
+
+  // Half of the false alarms are chi-square's, half the mean weights'.
+  [[nodiscard]] double least_probability() const {
+    return kFalseAlarms / 2 /
+           static_cast<double>(std::max<std::size_t>(1, report_.incidences.size()));
+  }
+  // 2 exp(-z^2 / 2) is the probability that each of them has.
+  [[nodiscard]] double most_deviation() const {
+    return std::sqrt(2 * std::log(2 * report_.channels / least_probability()));
   }
 
   const Limits& limits_;

@@ -1,0 +1,14 @@
+// Samples of light from one direction, held against what quadrature says of it. Thread safety: a
+// function without state.
+#pragma once
+
+#include <cstdint>
+
+#include "assess/energy.h"
+#include "assess/report.h"
+
+namespace gonio::assess {
+
+Incidence sample_from(const Energy& energy, const Subject& subject, std::uint64_t seed);
+
+}  // namespace gonio::assess
