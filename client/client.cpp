@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "client/address.h"
 #include "client/convert.h"
 #include "client/message_json.h"
 #include "client/retry.h"
 #include "client/rpc.h"
 #include "client/state.h"
 #include "gonio/v1/models.pb.h"
+#include "wire/address.h"
 #include "wire/message.h"
 
 namespace gonio::client {
@@ -92,9 +92,11 @@ Client::Client(Client&&) noexcept = default;
 Client& Client::operator=(Client&&) noexcept = default;
 
 Result<Client> Client::connect(const std::string& address, const ClientOptions& options) {
-  if (auto checked = check_address(address); !checked) return checked.error();
+  const auto where = wire::parse_address(address, "address", 1);
+  if (!where) return where.error();
   return from_channel(
-      grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments(options)),
+      grpc::CreateCustomChannel(wire::grpc_target(*where), grpc::InsecureChannelCredentials(),
+                                arguments(options)),
       "the server at " + address, options);
 }
 

@@ -106,6 +106,8 @@ Catalogue catalogue_of(const gonio::v1::ListModelsResponse& response) {
   Catalogue catalogue;
   for (const auto& model : response.models()) catalogue.models.push_back(model_of(model));
   catalogue.materials.assign(response.materials().begin(), response.materials().end());
+  for (const auto& skipped : response.skipped_materials())
+    catalogue.skipped_materials.push_back({skipped.name(), skipped.reason()});
   for (const auto set : response.instruction_sets()) {
     catalogue.instruction_sets.push_back(
         instruction_set_of(static_cast<gonio::v1::InstructionSet>(set)));

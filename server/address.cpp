@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <memory>
 #include <utility>
@@ -15,13 +14,10 @@
 namespace gonio {
 namespace {
 
-constexpr std::string_view kUnix = "unix:";
-constexpr const char* kAllowed =
-    "\"host:port\", \"[::1]:port\" or \"unix:/path\", the port from 0 to 65535";
-
 class Socket {
  public:
-  explicit Socket(int family) : fd_(socket(family, SOCK_STREAM | SOCK_CLOEXEC, 0)) {}
+  explicit Socket(int family)
+      : fd_(socket(family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {}
   ~Socket() {
     if (fd_ >= 0) close(fd_);
   }
@@ -36,24 +32,6 @@ class Socket {
 Error cannot_listen(const Address& address, const std::string& why) {
   return {ErrorCode::unavailable, "cannot listen on " + address.text + ": " + why, "listen",
           address.text, ""};
-}
-
-bool is_port(std::string_view text) {
-  unsigned value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() && value <= 65535;
-}
-
-Result<Address> parse_unix(std::string_view text) {
-  std::string_view path = text.substr(kUnix.size());
-  if (path.starts_with("///")) path.remove_prefix(2);  // unix:///absolute is gRPC's other spelling
-  constexpr std::size_t kMaxPath = sizeof(sockaddr_un::sun_path) - 1;
-  if (path.empty()) return bad_value("listen", '"' + std::string(text) + '"', kAllowed);
-  if (path.size() > kMaxPath) {
-    return bad_value("listen", '"' + std::string(text) + '"',
-                     "a socket path of at most " + std::to_string(kMaxPath) + " bytes");
-  }
-  return Address{std::string(kUnix).append(path), std::filesystem::path(path), "", ""};
 }
 
 // 0, or errno: whether a socket could be bound there.
@@ -87,6 +65,7 @@ Outcome claim_tcp(const Address& address) {
   return Ok{};
 }
 
+// A server that hangs, or has as many connections waiting as it can, answers with "again".
 bool is_answered(const std::string& path) {
   sockaddr_un where{};
   where.sun_family = AF_UNIX;
@@ -98,9 +77,9 @@ bool is_answered(const std::string& path) {
 
 Outcome claim_unix(const Address& address) {
   struct stat status {};
-  const std::string path = address.path.string();
-  const auto folder =
-      address.path.has_parent_path() ? address.path.parent_path() : std::filesystem::path(".");
+  const std::string& path = address.path;
+  const auto parent = std::filesystem::path(path).parent_path();
+  const auto folder = parent.empty() ? std::filesystem::path(".") : parent;
   if (access(folder.c_str(), W_OK | X_OK) != 0) {
     return cannot_listen(address, folder.string() + ": " + std::strerror(errno));
   }
@@ -115,35 +94,33 @@ Outcome claim_unix(const Address& address) {
 }  // namespace
 
 Result<Address> parse_address(std::string_view text) {
-  if (text.starts_with(kUnix)) return parse_unix(text);
-  const std::size_t colon = text.rfind(':');
-  const std::string_view host = text.substr(0, colon == std::string_view::npos ? 0 : colon);
-  const bool bracketed = host.size() > 2 && host.front() == '[' && host.back() == ']';
-  const bool is_host =
-      bracketed || (!host.empty() && host.find_first_of(":/[]") == std::string_view::npos);
-  if (!is_host || !is_port(text.substr(colon + 1))) {
-    return bad_value("listen", '"' + std::string(text) + '"', kAllowed);
-  }
-  const std::string_view name = bracketed ? host.substr(1, host.size() - 2) : host;
-  return Address{std::string(text), {}, std::string(name), std::string(text.substr(colon + 1))};
+  return wire::parse_address(text, "listen", 0);
 }
 
 Outcome claim(const Address& address) {
   return address.is_unix() ? claim_unix(address) : claim_tcp(address);
 }
 
+CreationMode::CreationMode(mode_t mode) : before_(::umask(0777 & ~mode)) {}
+
+CreationMode::~CreationMode() { ::umask(before_); }
+
 SocketFile::SocketFile(std::filesystem::path path) : path_(std::move(path)) {
   struct stat status {};
-  if (lstat(path_.c_str(), &status) == 0) inode_ = status.st_ino;
+  if (lstat(path_.c_str(), &status) != 0) return;
+  device_ = status.st_dev;
+  inode_ = status.st_ino;
 }
 
 SocketFile::SocketFile(SocketFile&& other) noexcept
-    : path_(std::exchange(other.path_, {})), inode_(std::exchange(other.inode_, 0)) {}
+    : path_(std::exchange(other.path_, {})),
+      device_(other.device_),
+      inode_(std::exchange(other.inode_, 0)) {}
 
 SocketFile::~SocketFile() {
   struct stat status {};
-  if (path_.empty() || inode_ == 0) return;
-  if (lstat(path_.c_str(), &status) == 0 && status.st_ino == inode_) unlink(path_.c_str());
+  if (inode_ == 0 || lstat(path_.c_str(), &status) != 0) return;
+  if (status.st_dev == device_ && status.st_ino == inode_) unlink(path_.c_str());
 }
 
 }  // namespace gonio

@@ -15,6 +15,7 @@
 #include "gonio/base/result.h"
 #include "gonio/engine/thread_pool.h"
 #include "server/background_queue.h"
+#include "server/calls_under_way.h"
 #include "server/materials.h"
 #include "server/memory_budget.h"
 #include "server/work.h"
@@ -45,13 +46,23 @@ struct Backend {
   MemoryBudget& memory;
   FitBackend fits;
   BackgroundQueue& puts;  // where uploads are checked and stored
+  CallsUnderWay& calls;
 
   // gRPC makes calls after a server's start, and ends its shutdown after the last of them: what was
   // done with the backend before server_begins() is over at call_begins(), and what a call did
   // before call_ends() is over at server_ended().
   void server_begins() const { happens_before(&materials); }
-  void call_begins() const { happens_after(&materials); }
-  void call_ends() const { happens_before(&memory); }
+  void call_begins() const {
+    calls.begin();
+    stream_begins();
+  }
+  void call_ends() const {
+    stream_ends();
+    calls.end();
+  }
+  // Of a stream, which is under way only while it owes answers.
+  void stream_begins() const { happens_after(&materials); }
+  void stream_ends() const { happens_before(&memory); }
   void server_ended() const { happens_after(&memory); }
 };
 

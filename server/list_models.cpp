@@ -68,6 +68,11 @@ Result<v1::ListModelsResponse> list_models(const v1::ListModelsRequest& request,
     fill(**model, *response.add_models());
   }
   for (const std::string& name : materials.names()) response.add_materials(name);
+  for (const Skipped& skipped : materials.skipped()) {
+    v1::SkippedMaterial& to = *response.add_skipped_materials();
+    to.set_name(skipped.name);
+    to.set_reason(skipped.reason);
+  }
   for (Isa isa : supported_isas()) response.add_instruction_sets(wire::to_wire(isa));
   response.set_version(kVersion);
   return response;

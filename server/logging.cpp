@@ -2,56 +2,51 @@
 
 #include <google/protobuf/stubs/logging.h>
 #include <grpc/support/log.h>
-#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_sinks.h>
 
+#include <chrono>
 #include <ctime>
+
+#include "gonio/base/shown.h"
 
 namespace gonio {
 namespace {
 
 spdlog::logger* captured = nullptr;  // the libraries' hooks are plain functions
 
-// The length of the valid UTF-8 character at the start of `text`; 0 if there is none.
-std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  const std::size_t length = first < 0x80   ? 1
-                             : first < 0xC2 ? 0
-                             : first < 0xE0 ? 2
-                             : first < 0xF0 ? 3
-                             : first < 0xF5 ? 4
-                                            : 0;
-  if (length == 0 || length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  }
-  // Overlong forms, surrogates and what lies beyond U+10FFFF.
-  if (first == 0xE0 && byte(1) < 0xA0) return 0;
-  if (first == 0xED && byte(1) > 0x9F) return 0;
-  if (first == 0xF0 && byte(1) < 0x90) return 0;
-  if (first == 0xF4 && byte(1) > 0x8F) return 0;
-  return length;
-}
-
-void append_escaped(std::string_view text, spdlog::memory_buf_t& out) {
-  while (!text.empty()) {
-    const std::size_t length = utf8_length(text);
-    const auto c = static_cast<unsigned char>(text.front());
-    if (length == 0) {
-      fmt::format_to(std::back_inserter(out), "\\ufffd");
-    } else if (c == '"' || c == '\\') {
-      fmt::format_to(std::back_inserter(out), "\\{}", text.front());
-    } else if (c < 0x20 || c == 0x7F) {
-      fmt::format_to(std::back_inserter(out), "\\u{:04x}", c);
-    } else {
-      out.append(text.data(), text.data() + length);
-    }
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-}
+constexpr std::size_t kLongestMessage = 8192;
 
 std::string_view view(spdlog::string_view_t text) { return {text.data(), text.size()}; }
+
+std::string shown_message(const spdlog::details::log_msg& message) {
+  return shown(view(message.payload), kLongestMessage);
+}
+
+// What is shown already needs no more than these two escaped to stand in a JSON string.
+void append_escaped(std::string_view text, spdlog::memory_buf_t& out) {
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out.push_back('\\');
+    out.push_back(c);
+  }
+}
+
+struct Time {
+  char date[32];
+  int milliseconds;
+};
+
+// `split`: localtime_r or gmtime_r.
+Time time_of(const spdlog::details::log_msg& message, const char* date_format,
+             std::tm* (*split)(const std::time_t*, std::tm*)) {
+  const auto since_epoch = message.time.time_since_epoch();
+  const std::time_t seconds = std::chrono::duration_cast<std::chrono::seconds>(since_epoch).count();
+  const auto milliseconds = std::chrono::duration_cast<std::chrono::milliseconds>(since_epoch);
+  std::tm parts{};
+  split(&seconds, &parts);
+  Time time{{}, static_cast<int>(milliseconds.count() % 1000)};
+  (void)std::strftime(time.date, sizeof time.date, date_format, &parts);
+  return time;
+}
 
 void take_grpc_log(gpr_log_func_args* args) {
   const auto level =
@@ -70,17 +65,21 @@ void take_protobuf_log(google::protobuf::LogLevel severity, const char*, int,
 
 }  // namespace
 
+void TextFormatter::format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& out) {
+  const Time time = time_of(message, "%Y-%m-%d %H:%M:%S", &localtime_r);
+  fmt::format_to(std::back_inserter(out), "{}.{:03} {} {}\n", time.date, time.milliseconds,
+                 view(spdlog::level::to_string_view(message.level)), shown_message(message));
+}
+
+std::unique_ptr<spdlog::formatter> TextFormatter::clone() const {
+  return std::make_unique<TextFormatter>();
+}
+
 void JsonFormatter::format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& out) {
-  const auto since_epoch = message.time.time_since_epoch();
-  const std::time_t seconds = std::chrono::duration_cast<std::chrono::seconds>(since_epoch).count();
-  std::tm utc{};
-  gmtime_r(&seconds, &utc);
-  char date[32];
-  std::strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%S", &utc);
-  fmt::format_to(std::back_inserter(out), R"({{"time":"{}.{:03}Z","level":"{}","message":")", date,
-                 std::chrono::duration_cast<std::chrono::milliseconds>(since_epoch).count() % 1000,
-                 view(spdlog::level::to_string_view(message.level)));
-  append_escaped(view(message.payload), out);
+  const Time time = time_of(message, "%Y-%m-%dT%H:%M:%S", &gmtime_r);
+  fmt::format_to(std::back_inserter(out), R"({{"time":"{}.{:03}Z","level":"{}","message":")",
+                 time.date, time.milliseconds, view(spdlog::level::to_string_view(message.level)));
+  append_escaped(shown_message(message), out);
   fmt::format_to(std::back_inserter(out), "\"}}\n");
 }
 
@@ -96,7 +95,7 @@ std::shared_ptr<spdlog::logger> make_logger(const std::string& level, LogFormat 
   if (format == LogFormat::json) {
     logger->set_formatter(std::make_unique<JsonFormatter>());
   } else {
-    logger->set_pattern("%Y-%m-%d %H:%M:%S.%e %l %v");
+    logger->set_formatter(std::make_unique<TextFormatter>());
   }
   return logger;
 }

@@ -11,8 +11,16 @@ namespace gonio {
 
 enum class LogFormat { text, json };
 
-// {"time": "2024-01-31T12:00:00.000Z", "level": "info", "message": "..."}; whatever bytes the
-// message holds, the line is valid JSON in UTF-8.
+// Both show the message as shown() does (base/shown.h), since requests, files and peers have words
+// in it: it is one line of valid UTF-8, which can neither forge another nor command a terminal.
+// "2024-01-31 12:00:00.000 info ...", in local time.
+class TextFormatter final : public spdlog::formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& out) override;
+  [[nodiscard]] std::unique_ptr<spdlog::formatter> clone() const override;
+};
+
+// {"time": "2024-01-31T12:00:00.000Z", "level": "info", "message": "..."}
 class JsonFormatter final : public spdlog::formatter {
  public:
   void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& out) override;

@@ -1,10 +1,15 @@
 // goniod: serves material evaluation over gRPC.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
-#include <iostream>
+#include <future>
+#include <string>
 
+#include "gonio/base/shown.h"
 #include "gonio/base/version.h"
 #include "server/configure.h"
 #include "server/logging.h"
@@ -26,19 +31,51 @@ struct Arguments {
   double grace_seconds = 5;
   std::string log_level = "info";
   std::string log_format = "text";
+  std::string socket_mode;
+  bool check_only = false;
 };
 
-void describe_service(CLI::App& app, gonio::ServerOptions& server) {
+// Numbers between two, both included; as a CLI::Range, but "nan" is none.
+CLI::Validator between(double least, double most) {
+  return CLI::Validator(
+      [least, most](std::string& text) {
+        double value = 0;
+        if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most)
+          return std::string();
+        return fmt::format("\"{}\" is not a number from {} to {}", gonio::shown(text), least, most);
+      },
+      fmt::format("[{} - {}]", least, most));
+}
+
+// An octal number, as chmod takes it.
+std::string check_mode(const std::string& text) {
+  const bool octal =
+      !text.empty() && text.size() <= 4 && text.find_first_not_of("01234567") == std::string::npos;
+  if (octal) return {};
+  return "\"" + gonio::shown(text) + "\" is not an octal mode from 0600 to 0777";
+}
+
+void describe_service(CLI::App& app, Arguments& arguments) {
+  gonio::ServerOptions& server = arguments.server;
   server.addresses = {"127.0.0.1:50051"};
   app.add_option(
          "-l,--listen", server.addresses,
-         "Where to listen: host:port (0 takes a free port) or unix:/path; several are allowed")
+         "Where to listen: host:port (0 takes a free port) or unix:PATH; several are allowed")
       ->capture_default_str();
   app.add_option(
+         "--socket-mode", arguments.socket_mode,
+         "Who may connect to the unix: sockets, as chmod says it: 0660; without it, what the "
+         "umask leaves")
+      ->type_name("MODE")
+      ->check(CLI::Validator(check_mode, ""));
+  app.add_option(
          "-m,--materials", server.materials,
-         "Serve every material .json and MERL .binary of this folder under its name; if it can "
-         "be written to, materials that clients put go there, else into memory")
+         "Serve every material .json and MERL .binary of this folder under its name, but those "
+         "that cannot be used; if it can be written to, materials that clients put go there, else "
+         "into memory")
       ->type_name("DIR");
+  app.add_flag("--check", arguments.check_only,
+               "Load everything, say what is wrong and exit with 1 if anything is; serve nothing");
   app.add_option("-t,--threads", server.threads, "Compute threads; 0: one per processor")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
@@ -66,11 +103,12 @@ void describe_limits(CLI::App& app, Arguments& arguments) {
   app.add_option(
          "--lame-duck", arguments.lame_duck_seconds,
          "Seconds to go on serving after a stop was asked for, already reporting NOT_SERVING")
-      ->check(CLI::Range(0.0, 3600.0))
+      ->check(between(0, 3600))
       ->capture_default_str();
-  app.add_option("--grace", arguments.grace_seconds,
-                 "Seconds that calls under way then have to end")
-      ->check(CLI::Range(0.0, 3600.0))
+  app.add_option(
+         "--grace", arguments.grace_seconds,
+         "Seconds that calls under way then have to end; where there are none, none are spent")
+      ->check(between(0, 3600))
       ->capture_default_str();
 }
 
@@ -85,13 +123,13 @@ void describe_fits(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
   app.add_option("--longest-fit", arguments.longest_fit_seconds,
                  "Seconds after which a fit is given up, waiting included")
-      ->check(CLI::Range(0.001, 1e6))
+      ->check(between(0.001, 1e6))
       ->capture_default_str();
 }
 
 void describe(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", std::string("goniod ") + gonio::kVersion);
-  describe_service(app, arguments.server);
+  describe_service(app, arguments);
   describe_limits(app, arguments);
   describe_fits(app, arguments);
   app.add_option("--log-level", arguments.log_level, "trace, debug, info, warning, error or off")
@@ -104,69 +142,122 @@ void describe(CLI::App& app, Arguments& arguments) {
 
 // What no option can be checked for by itself.
 void check(const Arguments& arguments) {
-  if (arguments.memory_quota_mb >= arguments.max_message_mb) return;
-  throw CLI::ValidationError("--memory-quota-mb", std::to_string(arguments.memory_quota_mb) +
-                                                      " is less than --max-message-mb, " +
-                                                      std::to_string(arguments.max_message_mb));
+  const auto& addresses = arguments.server.addresses;
+  if (arguments.memory_quota_mb < arguments.max_message_mb) {
+    throw CLI::ValidationError("--memory-quota-mb", std::to_string(arguments.memory_quota_mb) +
+                                                        " is less than --max-message-mb, " +
+                                                        std::to_string(arguments.max_message_mb));
+  }
+  if (!arguments.socket_mode.empty() &&
+      std::none_of(addresses.begin(), addresses.end(),
+                   [](const std::string& address) { return address.rfind("unix:", 0) == 0; })) {
+    throw CLI::ValidationError("--socket-mode",
+                               arguments.socket_mode + " is for unix: sockets; no --listen is one");
+  }
 }
 
 milliseconds to_milliseconds(double seconds) {
   return milliseconds(static_cast<milliseconds::rep>(1000 * seconds));
 }
 
-// Before any thread exists, so that all inherit it and the signals wait for sigwait().
-sigset_t block_stop_signals() {
+// Before any thread exists, so that all inherit it and the signals wait for sigtimedwait().
+sigset_t block_signals() {
   std::signal(SIGPIPE, SIG_IGN);
   sigset_t signals;
   sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
-  sigaddset(&signals, SIGINT);
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) sigaddset(&signals, signal);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   return signals;
 }
 
-int serve(Arguments& arguments, const sigset_t& signals) {
-  arguments.server.max_message_bytes = arguments.max_message_mb << 20;
-  arguments.server.memory_quota_bytes = arguments.memory_quota_mb << 20;
-  arguments.server.put_quota_bytes = arguments.put_quota_mb << 20;
-  arguments.server.longest_fit = to_milliseconds(arguments.longest_fit_seconds);
-  arguments.server.lame_duck = to_milliseconds(arguments.lame_duck_seconds);
-  arguments.server.logger = gonio::make_logger(arguments.log_level, arguments.log_format == "json"
-                                                                        ? gonio::LogFormat::json
-                                                                        : gonio::LogFormat::text);
-  gonio::capture_library_logs(*arguments.server.logger);
-  auto server = gonio::Server::start(arguments.server);
-  if (!server) {
-    auto& logger = *arguments.server.logger;
-    logger.error("{}", server.error().message);
-    // Whoever wants no log still has to learn why there is no server.
-    if (!logger.should_log(spdlog::level::err))
-      std::fprintf(stderr, "goniod: error: %s\n", server.error().message.c_str());
-    return kFailed;
+// Whether SIGTERM or SIGINT comes within `time`. SIGHUP, which a terminal sends at its end and an
+// operator for a reload, ends nothing.
+bool stop_is_asked_for(const sigset_t& signals, milliseconds time, spdlog::logger& logger) {
+  const timespec longest{time.count() / 1000, 1'000'000 * (time.count() % 1000)};
+  const int signal = sigtimedwait(&signals, nullptr, &longest);
+  if (signal == SIGHUP)
+    logger.info("SIGHUP: ignored; new materials are served after the next start");
+  return signal == SIGTERM || signal == SIGINT;
+}
+
+// The first signal lets calls under way end, the second cancels them, the third ends the program.
+void stop_in_turn(gonio::Server& server, milliseconds grace, const sigset_t& signals,
+                  spdlog::logger& logger) {
+  const auto stopped = std::async(std::launch::async, [&server, grace] { server.shutdown(grace); });
+  bool hurried = false;
+  while (stopped.wait_for(milliseconds(0)) != std::future_status::ready) {
+    if (!stop_is_asked_for(signals, milliseconds(10), logger)) continue;
+    if (hurried) std::_Exit(kFailed);
+    logger.info("asked to stop again: cancels the calls under way");
+    server.hurry();
+    hurried = true;
   }
-  int signal = 0;
-  sigwait(&signals, &signal);
-  // A second one ends the program at once.
-  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
-  (*server)->shutdown(to_milliseconds(arguments.grace_seconds));
+}
+
+void fill_in(Arguments& arguments) {
+  gonio::ServerOptions& server = arguments.server;
+  server.max_message_bytes = arguments.max_message_mb << 20;
+  server.memory_quota_bytes = arguments.memory_quota_mb << 20;
+  server.put_quota_bytes = arguments.put_quota_mb << 20;
+  server.longest_fit = to_milliseconds(arguments.longest_fit_seconds);
+  server.lame_duck = to_milliseconds(arguments.lame_duck_seconds);
+  if (!arguments.socket_mode.empty())
+    server.socket_mode = static_cast<unsigned>(std::stoul(arguments.socket_mode, nullptr, 8));
+  server.logger = gonio::make_logger(arguments.log_level, arguments.log_format == "json"
+                                                              ? gonio::LogFormat::json
+                                                              : gonio::LogFormat::text);
+}
+
+// Says what is wrong, also to those who want no log; gives the exit code.
+int fail(const gonio::Error& error, spdlog::logger& logger) {
+  logger.error("{}", error.message);
+  if (!logger.should_log(spdlog::level::err))
+    std::fprintf(stderr, "goniod: error: %s\n", gonio::shown(error.message).c_str());
+  return error.code == gonio::ErrorCode::invalid_argument ? kWrongUsage : kFailed;
+}
+
+int serve(const Arguments& arguments, const sigset_t& signals) {
+  spdlog::logger& logger = *arguments.server.logger;
+  gonio::capture_library_logs(logger);
+  if (arguments.check_only) {
+    const auto checked = gonio::Server::check(arguments.server);
+    return checked ? 0 : fail(checked.error(), logger);
+  }
+  const auto server = gonio::Server::start(arguments.server);
+  if (!server) return fail(server.error(), logger);
+  while (!stop_is_asked_for(signals, std::chrono::hours(1), logger)) {
+  }
+  stop_in_turn(**server, to_milliseconds(arguments.grace_seconds), signals, logger);
   return 0;
+}
+
+// As CLI11 does, but what it quotes of the command line is shown.
+int exit_of(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error);
+  std::fprintf(stderr, "goniod: error: %s\nRun goniod --help for the options.\n",
+               gonio::shown(error.what()).c_str());
+  return kWrongUsage;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
-  CLI::App app("goniod serves batched BRDF evaluation over gRPC. Stop it with SIGTERM or Ctrl-C.",
-               "goniod");
+  CLI::App app(
+      "goniod serves batched BRDF evaluation over gRPC. Stop it with SIGTERM or Ctrl-C; twice, and "
+      "it "
+      "waits for no call.",
+      "goniod");
   Arguments arguments;
   describe(app, arguments);
   try {
     app.parse(argc, argv);
     check(arguments);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kWrongUsage;
+    return exit_of(app, error);
   }
+  fill_in(arguments);
   gonio::keep_freed_memory();
-  const sigset_t signals = block_stop_signals();
+  const sigset_t signals = block_signals();
   return serve(arguments, signals);
 } catch (const std::exception& error) {  // out of memory, or of threads
   std::fprintf(stderr, "goniod: error: %s\n", error.what());

@@ -1,13 +1,13 @@
 #include "server/material_folder.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -43,6 +43,15 @@ bool is_temporary(std::string_view name) {
          std::all_of(end.begin(), end.end(), [](unsigned char c) { return std::isalnum(c) != 0; });
 }
 
+// Whoever has the lock may remove the file. It ends with the process that has it, however that
+// ends.
+bool lock(const Descriptor& file) { return ::flock(file.number(), LOCK_EX | LOCK_NB) == 0; }
+
+bool has_name(const Descriptor& file) {
+  struct stat status {};
+  return ::fstat(file.number(), &status) == 0 && status.st_nlink > 0;
+}
+
 // 0, or errno.
 int write_all(int descriptor, std::string_view content) {
   while (!content.empty()) {
@@ -66,29 +75,41 @@ void sync_folder(const fs::path& folder) {
 
 bool can_be_written(const fs::path& folder) { return ::access(folder.c_str(), W_OK | X_OK) == 0; }
 
-void remove_leftovers(const fs::path& folder) {
-  constexpr auto kOld = std::chrono::hours(24);  // longer than any upload
-  const auto now = fs::file_time_type::clock::now();
+Descriptor::~Descriptor() {
+  if (number_ >= 0) ::close(number_);
+}
+
+std::size_t remove_leftovers(const fs::path& folder) {
+  std::size_t removed = 0;
   std::error_code ignored;
   for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
        entry.increment(ignored)) {
     std::error_code failed;
-    const bool left = is_temporary(entry->path().filename().string()) &&
-                      fs::is_regular_file(entry->symlink_status(failed)) &&
-                      now - entry->last_write_time(failed) > kOld;
-    if (left && !failed) fs::remove(entry->path(), failed);
+    if (!is_temporary(entry->path().filename().string()) ||
+        !fs::is_regular_file(entry->symlink_status(failed))) {
+      continue;
+    }
+    const Descriptor file(::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+    if (file.number() < 0 || !lock(file)) continue;
+    if (fs::remove(entry->path(), failed)) ++removed;
   }
+  return removed;
 }
 
 Result<NewFile> NewFile::create(const fs::path& folder, std::string_view content) {
-  std::string name = folder / (std::string(kTemporary) + std::string(kPattern));
-  const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
-  if (descriptor < 0) return cannot_store("no file can be created", errno);
-  NewFile file(folder, name);
-  const int problem = write_all(descriptor, content);
-  ::close(descriptor);
-  if (problem != 0) return cannot_store("the file cannot be written", problem);
-  return file;
+  for (;;) {
+    std::string name = folder / (std::string(kTemporary) + std::string(kPattern));
+    Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
+    if (file.number() < 0) return cannot_store("no file can be created", errno);
+    // Before it was locked, a server that starts may have taken it for a leftover. Where nothing
+    // can be locked, nothing is taken for one.
+    if (!lock(file) && errno == EWOULDBLOCK) continue;
+    if (!has_name(file)) continue;
+    NewFile created(folder, name, std::move(file));
+    const int problem = write_all(created.locked_.number(), content);
+    if (problem != 0) return cannot_store("the file cannot be written", problem);
+    return created;
+  }
 }
 
 NewFile::~NewFile() {
@@ -97,11 +118,14 @@ NewFile::~NewFile() {
 }
 
 NewFile::NewFile(NewFile&& other) noexcept
-    : folder_(std::move(other.folder_)), temporary_(std::exchange(other.temporary_, {})) {}
+    : folder_(std::move(other.folder_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      locked_(std::move(other.locked_)) {}
 
 NewFile& NewFile::operator=(NewFile&& other) noexcept {
   std::swap(folder_, other.folder_);
   std::swap(temporary_, other.temporary_);
+  std::swap(locked_, other.locked_);
   return *this;
 }
 
@@ -114,6 +138,7 @@ Outcome NewFile::place(const std::string& name) {
   if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) != 0)
     return errno == EEXIST ? Outcome(taken(name)) : cannot_store("it cannot be named", errno);
   temporary_.clear();
+  locked_ = Descriptor();
   sync_folder(folder_);
   return Ok{};
 }

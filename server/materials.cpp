@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <fstream>
-#include <set>
 #include <sstream>
 #include <system_error>
 #include <utility>
 
 #include "base/near_names.h"
+#include "gonio/base/shown.h"
 #include "gonio/engine/registry.h"
 #include "gonio/measured/table.h"
 #include "server/preset_material.h"
@@ -18,12 +18,6 @@ namespace gonio {
 namespace {
 
 namespace fs = std::filesystem;
-
-Error within(const fs::path& file, Error error) {
-  if (error.message.find(file.string()) == std::string::npos)
-    error.message = file.string() + ": " + error.message;
-  return error;
-}
 
 Error unreadable(const fs::path& path, const std::string& why) {
   return {ErrorCode::not_found, path.string() + ": " + why, "", path.string(), ""};
@@ -89,14 +83,6 @@ Result<std::vector<fs::path>> material_files(const fs::path& folder) {
   if (failure)
     return unreadable(folder, "the materials folder cannot be read: " + failure.message());
   std::sort(files.begin(), files.end());
-  std::set<std::string> names;
-  for (const fs::path& file : files) {
-    const std::string name = file.stem().string();
-    if (!names.insert(name).second) {
-      return unreadable(
-          file, "there is another file for a material \"" + name + "\"; rename one of them");
-    }
-  }
   return files;
 }
 
@@ -122,13 +108,25 @@ Error no_such_material(const std::string& name, const std::vector<std::string>& 
 
 }  // namespace
 
-Outcome Materials::add(const fs::path& folder, const fs::path& file) {
+Outcome Materials::add(const fs::path& file) {
   const std::string name = file.stem().string();
-  if (!can_be_sent(name)) return unreadable(file, "the file's name is not UTF-8");
-  auto material = load_file(folder, file);
-  if (!material) return within(file, material.error());
+  if (!can_be_sent(name)) return unreadable(file.filename(), "the file's name is not UTF-8");
+  auto material = load_file(folder_, file);
+  if (!material) return material.error();
   stored_.emplace(name, Stored{std::move(*material), std::nullopt, {}});
   return Ok{};
+}
+
+void Materials::skip(const fs::path& file, std::string reason) {
+  std::error_code ignored;
+  for (const fs::path& folder : {folder_, fs::weakly_canonical(folder_, ignored)}) {
+    const std::string where = (folder / "").string();
+    for (auto at = reason.find(where); at != std::string::npos; at = reason.find(where, at))
+      reason.erase(at, where.size());
+  }
+  const std::string name = file.filename().string();
+  if (reason.find(name) == std::string::npos) reason = name + ": " + reason;
+  skipped_.push_back({shown(file.stem().string()), shown(reason)});
 }
 
 Result<Materials> Materials::load(const fs::path& folder) {
@@ -136,9 +134,16 @@ Result<Materials> Materials::load(const fs::path& folder) {
   if (!files) return files.error();
   Materials materials;
   materials.folder_ = folder;
+  std::map<fs::path, int> files_of;  // by the material's name
+  for (const fs::path& file : *files) ++files_of[file.stem()];
   for (const fs::path& file : *files) {
-    const auto added = materials.add(folder, file);
-    if (!added) return added.error();
+    const std::string name = file.stem().string();
+    if (files_of[file.stem()] > 1) {
+      materials.skip(file,
+                     "there is another file for a material \"" + name + "\"; rename one of them");
+    } else if (const auto added = materials.add(file); !added) {
+      materials.skip(file, added.error().message);
+    }
   }
   return materials;
 }
@@ -179,7 +184,9 @@ std::optional<v1::Material> Materials::substance_of(const v1::Material& material
   if (!is_named(material)) return std::nullopt;
   const std::shared_lock lock(locks_->stored);
   if (find(material.name()) != nullptr) return std::nullopt;
-  return preset_material(material.name());
+  auto substance = preset_material(material.name());
+  if (substance && material.has_rotation()) substance->set_rotation(material.rotation());
+  return substance;
 }
 
 Result<PreparedMaterial> Materials::build(const v1::Material& material) const {
@@ -198,7 +205,23 @@ Result<PreparedMaterial> Materials::build(const v1::Material& material) const {
     if (!unturned.has_tangents() || material.rotation() == 0) return *stored;
     return PreparedMaterial(unturned.turned(material.rotation()));
   }
-  return no_such_material(material.name(), names());
+  return not_stored(material.name());
+}
+
+const Skipped* Materials::find_skipped(std::string_view name) const {
+  const auto found = std::find_if(skipped_.begin(), skipped_.end(),
+                                  [&](const Skipped& skipped) { return skipped.name == name; });
+  return found == skipped_.end() ? nullptr : &*found;
+}
+
+Error Materials::not_stored(const std::string& name) const {
+  if (const Skipped* skipped = find_skipped(name)) {
+    return bad_value("material.name",
+                     "\"" + name + "\", whose file the server cannot use (" + skipped->reason + ")",
+                     "a stored material, or that file made right and the server started again",
+                     ErrorCode::not_found);
+  }
+  return no_such_material(name, names());
 }
 
 Result<PreparedMaterial> Materials::build_local(const v1::Material& material,

@@ -29,6 +29,12 @@ namespace gonio {
 // Where a material that a client put is kept.
 enum class PutPlace : std::uint8_t { folder, memory };
 
+// A file of the materials folder that is not served.
+struct Skipped {
+  std::string name;    // of the material that it would be
+  std::string reason;  // names the file, not the folder: it goes to clients
+};
+
 struct PutResult {
   PutPlace place = PutPlace::memory;
   std::size_t invalid_cells = 0;
@@ -41,21 +47,25 @@ class Materials {
 
   // Every *.json (see material.proto; also {"model": "measured", "parameters": {"file": "x.binary",
   // "interpolation": "nearest"}}, the file within `folder`) and every MERL *.binary of `folder`,
-  // each under its name without the extension. Errors: a folder that cannot be read; a file that
-  // cannot be used, or two of one name, by name.
+  // each under its name without the extension. A file that cannot be used is skipped, as are two of
+  // one name: of neither is it known that it is the one meant. Errors: a folder that cannot be
+  // read.
   static Result<Materials> load(const std::filesystem::path& folder);
 
   // Lets resolve() read files of this machine.
   void allow_local_files();
 
   // Lets put() store materials, as long as their tables hold at most `quota_bytes` together.
-  void allow_puts(std::size_t quota_bytes);
+  // Removes what servers that were killed have left of theirs in the folder; says how many files.
+  std::size_t allow_puts(std::size_t quota_bytes);
 
   [[nodiscard]] std::vector<std::string> names() const;  // sorted
+  [[nodiscard]] const std::vector<Skipped>& skipped() const { return skipped_; }
 
   // Whether put() of this name and sum may succeed. Errors: invalid_argument for a name of other
-  // than 1 to 100 letters, digits, '-' and '_'; already_exists for one that is taken, unless by a
-  // put of the same bytes; resource_exhausted where the quota leaves no room.
+  // than 1 to 100 letters, digits, '-' and '_'; already_exists for one that is taken (unless by a
+  // put of the same bytes), if only by a file that is not served; resource_exhausted where the
+  // quota leaves no room.
   [[nodiscard]] Outcome check_put(const std::string& name, const wire::Sha256Sum& sum) const;
   // Stores a MERL file's content, of which `sum` is the SHA-256, under `name`: in the folder as a
   // new file that appears as a whole, or in memory. Takes a while. Errors: those of check_put() and
@@ -73,7 +83,10 @@ class Materials {
   // The same of a file of this machine.
   [[nodiscard]] Result<PreparedMaterial> build_local(const v1::Material& material,
                                                      const std::string& bytes) const;
-  Outcome add(const std::filesystem::path& folder, const std::filesystem::path& file);
+  Outcome add(const std::filesystem::path& file);
+  void skip(const std::filesystem::path& file, std::string reason);
+  [[nodiscard]] const Skipped* find_skipped(std::string_view name) const;
+  [[nodiscard]] Error not_stored(const std::string& name) const;
 
   struct Stored {
     PreparedMaterial material;
@@ -91,6 +104,7 @@ class Materials {
   [[nodiscard]] std::optional<PreparedMaterial> find_copy(std::string_view name) const;
 
   std::map<std::string, Stored, std::less<>> stored_;
+  std::vector<Skipped> skipped_;
   std::size_t put_bytes_ = 0, put_quota_ = 0;
   std::filesystem::path folder_;  // empty: none
   std::unique_ptr<Locks> locks_ = std::make_unique<Locks>();

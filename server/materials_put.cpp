@@ -35,15 +35,20 @@ Error of_chunks(Error error) {
 
 }  // namespace
 
-void Materials::allow_puts(std::size_t quota_bytes) {
+std::size_t Materials::allow_puts(std::size_t quota_bytes) {
   put_quota_ = quota_bytes;
-  if (quota_bytes > 0 && !folder_.empty()) remove_leftovers(folder_);
+  return quota_bytes > 0 && !folder_.empty() ? remove_leftovers(folder_) : 0;
 }
 
 Outcome Materials::check_put(const std::string& name, const wire::Sha256Sum& sum) const {
   if (!is_name(name)) {
     return bad_value("file.name", "\"" + name + "\"",
                      "1 to " + std::to_string(kLongestName) + " letters, digits, '-' and '_'");
+  }
+  if (find_skipped(name) != nullptr) {
+    return bad_value("file.name",
+                     "\"" + name + "\", for which the server has a file that it cannot use",
+                     "a name that no stored material has", ErrorCode::already_exists);
   }
   const std::shared_lock lock(locks_->stored);
   if (const Stored* stored = find(name)) return stored->sum == sum ? Outcome(Ok{}) : taken(name);

@@ -1,5 +1,6 @@
 #include "server/server.h"
 
+#include <grpc/grpc.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/grpcpp.h>
 #include <grpcpp/health_check_service_interface.h>
@@ -8,12 +9,15 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <future>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
 #include "gonio/engine/thread_pool.h"
 #include "server/address.h"
+#include "server/calls_under_way.h"
 #include "server/configure.h"
 #include "server/materials.h"
 #include "server/service.h"
@@ -23,6 +27,7 @@ namespace gonio {
 namespace {
 
 constexpr int kMaxThreads = 1024;
+constexpr std::chrono::milliseconds kEndingStep{5};
 constexpr std::size_t kMaxPuts = 64;  // complete uploads that wait to be stored
 
 std::shared_ptr<spdlog::logger> logger_or_silence(const ServerOptions& options) {
@@ -33,6 +38,15 @@ std::shared_ptr<spdlog::logger> logger_or_silence(const ServerOptions& options) 
 int threads_of(const ServerOptions& options) {
   return options.threads > 0 ? options.threads
                              : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+Outcome check_socket_mode(const ServerOptions& options) {
+  constexpr unsigned kOwner = 0600;
+  if (!options.socket_mode ||
+      (*options.socket_mode <= 0777 && (*options.socket_mode & kOwner) == kOwner))
+    return Ok{};
+  return bad_value("socket_mode", fmt::format("{:04o}", *options.socket_mode),
+                   "0600 to 0777, the owner's reading and writing among it");
 }
 
 Outcome check_fits(const ServerOptions& options) {
@@ -48,7 +62,7 @@ Outcome check_fits(const ServerOptions& options) {
   return Ok{};
 }
 
-Outcome check(const ServerOptions& options) {
+Outcome check_options(const ServerOptions& options) {
   if (options.threads < 0 || options.threads > kMaxThreads) {
     return bad_value("threads", std::to_string(options.threads),
                      "1 to " + std::to_string(kMaxThreads) + ", or 0 for all");
@@ -63,6 +77,7 @@ Outcome check(const ServerOptions& options) {
                      "at least max_message_bytes, " + std::to_string(options.max_message_bytes));
   }
   if (options.max_queued_jobs == 0) return bad_value("max_queued_jobs", "0", "1 or more");
+  if (auto mode = check_socket_mode(options); !mode) return mode;
   return check_fits(options);
 }
 
@@ -78,12 +93,22 @@ Result<std::vector<Address>> claim_all(const std::vector<std::string>& texts) {
   return addresses;
 }
 
-Result<Materials> load_materials(const ServerOptions& options) {
+// The log names what is not served.
+Result<Materials> load_materials(const ServerOptions& options, spdlog::logger& logger) {
   Result<Materials> materials =
       options.materials.empty() ? Materials() : Materials::load(options.materials);
-  if (materials && options.allow_local_files) materials->allow_local_files();
-  if (materials) materials->allow_puts(options.put_quota_bytes);
+  if (!materials) return materials;
+  for (const Skipped& skipped : materials->skipped())
+    logger.warn("not served: {} (in {})", skipped.reason, options.materials.string());
   return materials;
+}
+
+void allow_what_is_asked_for(Materials& materials, const ServerOptions& options,
+                             spdlog::logger& logger) {
+  if (options.allow_local_files) materials.allow_local_files();
+  const std::size_t removed = materials.allow_puts(options.put_quota_bytes);
+  if (removed > 0)
+    logger.info("removed {} unfinished uploads of servers that were killed", removed);
 }
 
 }  // namespace
@@ -98,7 +123,7 @@ struct Server::State {
         fits(given.fit_threads, given.max_fits, given.fits_give_way),
         puts(1, kMaxPuts),
         service({materials, pool, given.max_message_bytes, given.max_queued_jobs, *logger, memory,
-                 FitBackend{fits, given.longest_fit, given.fits_give_way}, puts}) {}
+                 FitBackend{fits, given.longest_fit, given.fits_give_way}, puts, calls}) {}
 
   Outcome listen(const std::vector<Address>& addresses);
   void stop(std::chrono::milliseconds grace);
@@ -107,6 +132,7 @@ struct Server::State {
   std::shared_ptr<spdlog::logger> logger;
   Materials materials;
   MemoryBudget memory;
+  CallsUnderWay calls;
   ThreadPool pool;             // outlived by nothing that uses it: the calls end with `grpc`
   BackgroundQueue fits, puts;  // likewise
   Service service;
@@ -126,16 +152,23 @@ Outcome Server::State::listen(const std::vector<Address>& addresses) {
   builder.RegisterService(&service);
   std::vector<int> ports(addresses.size(), 0);
   for (std::size_t i = 0; i < addresses.size(); ++i) {
-    builder.AddListeningPort(addresses[i].text, grpc::InsecureServerCredentials(), &ports[i]);
+    builder.AddListeningPort(wire::grpc_target(addresses[i]), grpc::InsecureServerCredentials(),
+                             &ports[i]);
   }
-  grpc = builder.BuildAndStart();
+  {
+    std::optional<CreationMode> mode;
+    if (options.socket_mode) mode.emplace(*options.socket_mode);
+    grpc = builder.BuildAndStart();
+  }
   for (std::size_t i = 0; i < addresses.size(); ++i) {
     const std::string& text = addresses[i].text;
     if (ports[i] <= 0)
       return Error{ErrorCode::unavailable, "cannot listen on " + text, "listen", text, ""};
     if (addresses[i].is_unix()) {
       socket_files.emplace_back(addresses[i].path);
-      logger->info("listening on {}", text);
+      const std::string target = wire::grpc_target(addresses[i]);
+      logger->info("listening on {}{}", text,
+                   target == text ? "" : ", for other users of gRPC " + target);
     } else {
       if (port == 0) port = ports[i];
       logger->info("listening on {}:{}", text.substr(0, text.rfind(':')), ports[i]);
@@ -145,24 +178,35 @@ Outcome Server::State::listen(const std::vector<Address>& addresses) {
   return Ok{};
 }
 
+// gRPC's own end waits for connections too, which clients keep open for as long as they like: so it
+// is begun, and once no call is under way what is left is ended.
 void Server::State::stop(std::chrono::milliseconds grace) {
+  using Clock = CallsUnderWay::Clock;
   logger->info(
       "stopping: reports NOT_SERVING, waits {} ms, then up to {} ms for the calls under way",
       options.lame_duck.count(), grace.count());
   grpc->GetHealthCheckService()->Shutdown();
-  std::this_thread::sleep_for(options.lame_duck);
-  grpc->Shutdown(std::chrono::system_clock::now() + grace);
+  calls.wait_until(Clock::now() + options.lame_duck);
+  const auto ended = std::async(
+      std::launch::async,
+      [this, deadline = std::chrono::system_clock::now() + grace] { grpc->Shutdown(deadline); });
+  calls.wait_for_none(Clock::now() + grace);
+  do {
+    grpc_server_cancel_all_calls(grpc->c_server());
+  } while (ended.wait_for(kEndingStep) != std::future_status::ready);
   socket_files.clear();
   logger->info("stopped");
 }
 
 Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options) {
-  const auto checked = check(options);
+  const auto checked = check_options(options);
   if (!checked) return checked.error();
-  auto materials = load_materials(options);
+  const auto logger = logger_or_silence(options);
+  auto materials = load_materials(options, *logger);
   if (!materials) return materials.error();
   const auto addresses = claim_all(options.addresses);
   if (!addresses) return addresses.error();
+  allow_what_is_asked_for(*materials, options, *logger);
   static std::once_flag plugins;  // both are settings of the process
   std::call_once(plugins, [] {
     grpc::EnableDefaultHealthCheckService(true);
@@ -172,9 +216,32 @@ Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options) {
   const auto listening = state->listen(*addresses);
   if (!listening) return listening.error();
   state->grpc->GetHealthCheckService()->SetServingStatus(WireService::service_full_name(), true);
-  state->logger->info("stored materials: {}, compute threads: {}", state->materials.names().size(),
+  state->logger->info("stored materials: {}, not served: {}, compute threads: {}",
+                      state->materials.names().size(), state->materials.skipped().size(),
                       state->pool.threads());
   return std::unique_ptr<Server>(new Server(std::move(state)));
+}
+
+Outcome Server::check(const ServerOptions& options) {
+  const auto checked = check_options(options);
+  if (!checked) return checked;
+  for (const std::string& text : options.addresses) {
+    if (const auto address = parse_address(text); !address) return address.error();
+  }
+  const auto logger = logger_or_silence(options);
+  const auto materials = load_materials(options, *logger);
+  if (!materials) return materials.error();
+  const std::size_t wrong = materials->skipped().size();
+  logger->info("stored materials: {}, not served: {}", materials->names().size(), wrong);
+  if (wrong == 0) return Ok{};
+  std::string reasons;
+  for (const Skipped& skipped : materials->skipped())
+    reasons += (reasons.empty() ? "" : "; ") + skipped.reason;
+  return Error{ErrorCode::data_loss,
+               options.materials.string() + ": " + std::to_string(wrong) +
+                   " files cannot be served: " + reasons,
+               "materials", options.materials.string(),
+               "materials that can be read, one file for each name"};
 }
 
 Server::Server(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -201,6 +268,8 @@ void Server::shutdown(std::chrono::milliseconds grace) {
   state_->stopped = true;
   state_->stopped_changed.notify_all();
 }
+
+void Server::hurry() { state_->calls.hurry(); }
 
 void Server::wait() {
   std::unique_lock lock(state_->mutex);

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,12 @@ class logger;
 namespace gonio {
 
 struct ServerOptions {
-  // Each "host:port" (port 0 takes a free one), "[::1]:port" or "unix:/path". Empty: reached
+  // Each "host:port" (port 0 takes a free one), "[::1]:port" or "unix:PATH". Empty: reached
   // in-process only.
   std::vector<std::string> addresses = {};
+  // Of the UNIX sockets, from their first moment on, whatever the process's umask; none: what that
+  // leaves.
+  std::optional<unsigned> socket_mode = {};
   // Compute threads; 0 means one per processor.
   int threads = 0;
   // Batches queued or being computed at a time; one more is refused with RESOURCE_EXHAUSTED.
@@ -35,7 +39,7 @@ struct ServerOptions {
   // What the requests and answers under way may hold, all calls together (one more is refused with
   // RESOURCE_EXHAUSTED), and what gRPC may hold in buffers beside them.
   std::size_t memory_quota_bytes = std::size_t{1} << 30;
-  // Every *.json and *.binary in it is served under its stem; empty for none.
+  // Every *.json and *.binary in it that can be used is served under its stem; empty for none.
   std::filesystem::path materials = {};
   // What materials that clients put may hold, all together since the start; one more is refused.
   // They go into the `materials` folder if there is one that can be written to, else into memory.
@@ -62,9 +66,13 @@ struct ServerOptions {
 
 class Server {
  public:
-  // Errors name what is wrong: an address that cannot be listened on, a materials folder or a file
-  // in it.
+  // Errors name what is wrong: an option (invalid_argument), an address that cannot be listened on,
+  // a materials folder. A file in that which cannot be used is not served; the log says so.
   static Result<std::unique_ptr<Server>> start(const ServerOptions& options);
+
+  // Looks at what start() would, and listens nowhere. Errors: also files that would not be served,
+  // each of which the log names.
+  static Outcome check(const ServerOptions& options);
 
   ~Server();  // shutdown() without grace, if that was not called
   Server(const Server&) = delete;
@@ -78,9 +86,13 @@ class Server {
   [[nodiscard]] int port() const;
 
   // Reports NOT_SERVING, serves for the lame duck, then takes no new calls and waits up to `grace`
-  // for those under way before cancelling them. Returns when all is over, also
-  // where another call has begun it.
+  // for those under way before cancelling them. A stream is under way while answers are owed to it;
+  // connections and streams without any are not waited for. Returns when all is over, also where
+  // another call has begun it.
   void shutdown(std::chrono::milliseconds grace);
+
+  // Lets a shutdown wait no longer: neither for the lame duck nor for calls.
+  void hurry();
 
   // Returns when the server has been shut down.
   void wait();

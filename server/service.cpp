@@ -47,7 +47,7 @@ grpc::ServerUnaryReactor* Service::Evaluate(grpc::CallbackServerContext* context
 
 grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* Service::EvaluateStream(
     grpc::CallbackServerContext* context) {
-  backend_.call_begins();
+  backend_.stream_begins();
   return new StreamCall<Evaluation>(backend_, *context);
 }
 
@@ -60,7 +60,7 @@ grpc::ServerUnaryReactor* Service::Sample(grpc::CallbackServerContext* context,
 
 grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* Service::SampleStream(
     grpc::CallbackServerContext* context) {
-  backend_.call_begins();
+  backend_.stream_begins();
   return new StreamCall<Sampling>(backend_, *context);
 }
 

@@ -26,6 +26,13 @@ StreamCall<W>::StreamCall(const Backend& backend, grpc::CallbackServerContext& c
 }
 
 template <class W>
+void StreamCall<W>::set_in_flight(std::size_t chunks) {
+  const std::size_t before = std::exchange(in_flight_, chunks);
+  if (before == 0 && chunks > 0) backend_.calls.begin();
+  if (before > 0 && chunks == 0) backend_.calls.end();
+}
+
+template <class W>
 void StreamCall<W>::OnReadDone(bool ok) {
   const Reaction reaction(this, &incoming_);
   if (!ok) return end_reading(grpc::Status::OK);
@@ -35,7 +42,7 @@ void StreamCall<W>::OnReadDone(bool ok) {
   if (!chunk) return end_reading(wire::to_status(chunk.error()));
   {
     const std::lock_guard lock(mutex_);
-    ++in_flight_;
+    set_in_flight(in_flight_ + 1);
     ++access_.batches;
   }
   handle(*chunk);
@@ -129,7 +136,7 @@ void StreamCall<W>::OnWriteDone(bool ok) {
   {
     const std::lock_guard lock(mutex_);
     writing_ = false;
-    --in_flight_;
+    set_in_flight(in_flight_ - 1);
     held_bytes_ -= writing_now_.held_bytes;
     writing_now_ = {};
     if (!ok) die();
@@ -153,7 +160,7 @@ void StreamCall<W>::OnDone() {
   happens_after(this);
   const Backend& backend = backend_;
   delete this;
-  backend.call_ends();
+  backend.stream_ends();
 }
 
 // A stream that lost answers must not end as if it were complete.
@@ -170,7 +177,7 @@ void StreamCall<W>::die() {
 template <class W>
 void StreamCall<W>::drop_answers() {
   for (const Answer& answer : ready_) held_bytes_ -= answer.held_bytes;
-  in_flight_ -= ready_.size();
+  set_in_flight(in_flight_ - ready_.size());
   ready_.clear();
 }
 

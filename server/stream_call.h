@@ -53,8 +53,9 @@ class StreamCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   void computed(std::uint64_t sequence, W& work, std::size_t held_bytes, bool completed);
   void refuse(std::uint64_t sequence, const Error& error, std::size_t held_bytes);
   void pump(std::optional<Answer> answer = std::nullopt);
-  void die();           // mutex_ is held
-  void drop_answers();  // mutex_ is held
+  void set_in_flight(std::size_t chunks);  // mutex_ is held
+  void die();                              // mutex_ is held
+  void drop_answers();                     // mutex_ is held
 
   const Backend& backend_;
   CallState state_;

@@ -7,6 +7,7 @@
 #include "client/cli/numbers.h"
 #include "client/cli/summary.h"
 #include "client/cli/text.h"
+#include "gonio/base/shown.h"
 
 namespace gonio::cli {
 namespace {
@@ -117,7 +118,13 @@ std::string model_table(const client::Catalogue& catalogue) {
   std::vector<std::string> sets;
   for (const auto set : catalogue.instruction_sets) sets.emplace_back(name_of(set));
   text += "\nStored materials: ";
-  text += catalogue.materials.empty() ? "none" : wrapped(joined(catalogue.materials, ", "), 18);
+  std::vector<std::string> materials;
+  for (const auto& name : catalogue.materials) materials.push_back(shown(name));
+  text += materials.empty() ? "none" : wrapped(joined(materials, ", "), 18);
+  for (const auto& skipped : catalogue.skipped_materials) {
+    text +=
+        "\nNot served: " + wrapped(shown(skipped.name) + " (" + shown(skipped.reason) + ")", 12);
+  }
   text += "\nInstruction sets: " + joined(sets, ", ");
   return text +
          "\n\n'gonio models NAME' describes one model, 'gonio models --presets' lists named "

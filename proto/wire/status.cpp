@@ -1,5 +1,7 @@
 #include "wire/status.h"
 
+#include "gonio/base/shown.h"
+
 namespace gonio::wire {
 namespace {
 
@@ -66,19 +68,28 @@ std::string shortened(std::string_view text, std::size_t max_bytes) {
   return std::string(text.substr(0, end)).append(kMark);
 }
 
+namespace {
+
+// Errors quote requests and files, whose bytes need not be UTF-8.
+std::string sendable(std::string_view text, std::size_t max_bytes) {
+  return shortened(shown(text, max_bytes), max_bytes);
+}
+
+}  // namespace
+
 gonio::v1::ErrorDetail to_detail(const Error& error) {
   gonio::v1::ErrorDetail detail;
   detail.set_code(status_code(error.code));
-  detail.set_message(shortened(error.message, kMaxMessage));
-  detail.set_field(shortened(error.field, kMaxField));
-  detail.set_value(shortened(error.value, kMaxValue));
-  detail.set_allowed(shortened(error.allowed, kMaxAllowed));
+  detail.set_message(sendable(error.message, kMaxMessage));
+  detail.set_field(sendable(error.field, kMaxField));
+  detail.set_value(sendable(error.value, kMaxValue));
+  detail.set_allowed(sendable(error.allowed, kMaxAllowed));
   return detail;
 }
 
 Error from_detail(const gonio::v1::ErrorDetail& detail) {
-  return {error_code(detail.code()), detail.message(), detail.field(), detail.value(),
-          detail.allowed()};
+  return {error_code(detail.code()), shown(detail.message()), shown(detail.field()),
+          shown(detail.value()), shown(detail.allowed())};
 }
 
 grpc::Status to_status(const Error& error) {
@@ -91,7 +102,7 @@ Error from_status(const grpc::Status& status) {
   const bool has_detail =
       !status.error_details().empty() && detail.ParseFromString(status.error_details());
   if (has_detail && detail.code() == status.error_code()) return from_detail(detail);
-  return {error_code(status.error_code()), status.error_message(), "", "", ""};
+  return {error_code(status.error_code()), shown(status.error_message()), "", "", ""};
 }
 
 }  // namespace gonio::wire

@@ -44,8 +44,9 @@ class WireServer {
   spdlog::logger logger_{"bench", std::make_shared<spdlog::sinks::null_sink_mt>()};
   MemoryBudget memory_{options_.memory_quota_bytes};
   BackgroundQueue fits_{1, 1}, puts_{1, 1};
+  CallsUnderWay calls_;
   Service service_{{materials_, pool_, options_.max_message_bytes, options_.max_queued_jobs,
-                    logger_, memory_, FitBackend{fits_, std::chrono::seconds(1)}, puts_}};
+                    logger_, memory_, FitBackend{fits_, std::chrono::seconds(1)}, puts_, calls_}};
   EchoService echo_;
   std::unique_ptr<grpc::Server> server_;
 };

@@ -3,12 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
 #include <cstring>
 #include <fstream>
 
+#include "gonio/client/client.h"
 #include "measured/temp_folder.h"
 #include "server/harness.h"
 
@@ -16,26 +18,6 @@ namespace gonio::testing {
 namespace {
 
 using ::testing::HasSubstr;
-
-TEST(Address, Forms) {
-  EXPECT_EQ(parse_address("localhost:80")->host, "localhost");
-  EXPECT_EQ(parse_address("0.0.0.0:0")->port, "0");
-  EXPECT_EQ(parse_address("[::1]:50051")->host, "::1");
-  EXPECT_EQ(parse_address("unix:/tmp/x")->path, "/tmp/x");
-  EXPECT_EQ(parse_address("unix:///tmp/x")->path, "/tmp/x");
-}
-
-TEST(Address, BadOnesAreRefused) {
-  for (const char* text :
-       {"", "80", ":80", "host", "host:", "host:x", "host:65536", "host:-1", "host:80:90", "::1:80",
-        "[]:80", "unix:", "http://host:80", "host:80 "}) {
-    const auto address = parse_address(text);
-    ASSERT_FALSE(address.ok()) << text;
-    EXPECT_EQ(address.error().field, "listen");
-    EXPECT_THAT(address.error().message, HasSubstr(text));
-  }
-  EXPECT_FALSE(parse_address("unix:/" + std::string(200, 'x')).ok());
-}
 
 ServerOptions listening_on(const std::string& address) {
   ServerOptions options;
@@ -108,6 +90,87 @@ TEST(Address, AFolderThatDoesNotExistIsSaidSo) {
   const auto server = Server::start(listening_on("unix:/no/such/folder/s"));
   ASSERT_FALSE(server.ok());
   EXPECT_THAT(server.error().message, HasSubstr("/no/such/folder"));
+}
+
+bool is_answered(const std::string& address) {
+  const auto client = client::Client::connect(address);
+  return client && client->list_models().ok();
+}
+
+// What gRPC itself would read as an escape, a query, a fragment or a host.
+TEST(Address, ServerAndClientMeanTheSameFile) {
+  const TempFolder folder;
+  for (const char* name : {"plain", "a#b", "a%41b", "a%", "a?b=c", "a b", "gr\xC3\xA4y", "\xFF",
+                           "a:b", "a&b;c", "100%25"}) {
+    const std::string path = (folder / name).string();
+    const TestServer server(listening_on("unix:" + path));
+    EXPECT_TRUE(std::filesystem::is_socket(path)) << name;
+    EXPECT_TRUE(is_answered("unix:" + path)) << name;
+    EXPECT_TRUE(is_answered("unix://" + path)) << name;
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder / ""));
+}
+
+TEST(Address, ARelativePathIsOneOfTheWorkingFolder) {
+  const TempFolder folder;
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder / "");
+  {
+    const TestServer server(listening_on("unix:s"));
+    EXPECT_TRUE(std::filesystem::is_socket(folder / "s"));
+    EXPECT_TRUE(is_answered("unix:s"));
+    EXPECT_TRUE(is_answered("unix:" + (folder / "s").string()));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "s"));
+  std::filesystem::current_path(before);
+}
+
+TEST(Address, ThePathMayBeAsLongAsASocketsName) {
+  const TempFolder folder;
+  const std::string path =
+      (folder / std::string(106 - (folder / "").string().size(), 'x')).string() + '#';
+  ASSERT_EQ(path.size(), 107U);
+  const TestServer server(listening_on("unix:" + path));
+  EXPECT_TRUE(is_answered("unix:" + path));
+}
+
+TEST(Address, TcpInAllItsForms) {
+  for (const char* host : {"localhost", "127.0.0.1", "[::1]"}) {
+    const auto server = Server::start(listening_on(std::string(host) + ":0"));
+    if (!server && host[0] == '[') continue;  // a machine without IPv6
+    ASSERT_TRUE(server.ok()) << server.error().message;
+    EXPECT_TRUE(is_answered(std::string(host) + ":" + std::to_string((*server)->port()))) << host;
+  }
+}
+
+mode_t mode_of(const std::filesystem::path& path) {
+  return static_cast<mode_t>(std::filesystem::status(path).permissions()) & 0777U;
+}
+
+TEST(Address, ASocketHasTheModeThatIsAskedFor) {
+  const TempFolder folder;
+  const std::string path = (folder / "s").string();
+  const mode_t umask_before = ::umask(022);
+  ServerOptions options = listening_on("unix:" + path);
+  for (const unsigned mode : {0600U, 0660U, 0777U}) {
+    options.socket_mode = mode;
+    const TestServer server(options);
+    EXPECT_EQ(mode_of(path), mode);
+    std::ofstream(folder / "other") << "x";
+    EXPECT_EQ(mode_of(folder / "other"), 0644U);
+    std::filesystem::remove(folder / "other");
+  }
+  {
+    const TestServer server(listening_on("unix:" + path));
+    EXPECT_EQ(mode_of(path), 0755U);
+  }
+  ::umask(umask_before);
+  for (const unsigned mode : {0U, 0060U, 0400U, 01777U}) {
+    options.socket_mode = mode;
+    const auto server = Server::start(options);
+    ASSERT_FALSE(server.ok());
+    EXPECT_EQ(server.error().field, "socket_mode");
+  }
 }
 
 TEST(Address, SeveralAtOnce) {

@@ -23,7 +23,7 @@ class BusyService {
         pool_(1, places),
         logger_("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(log_)),
         service_({materials_, pool_, std::size_t{64} << 20, places, logger_, memory_,
-                  FitBackend{fits_, std::chrono::seconds(1)}, puts_}) {
+                  FitBackend{fits_, std::chrono::seconds(1)}, puts_, calls_}) {
     logger_.set_level(spdlog::level::debug);
     EXPECT_TRUE(pool_.submit({1,
                               [this](std::size_t) {
@@ -63,6 +63,7 @@ class BusyService {
   ThreadPool pool_;
   spdlog::logger logger_;
   BackgroundQueue fits_{1, 1}, puts_{1, 1};
+  CallsUnderWay calls_;
   Service service_;
   std::unique_ptr<grpc::Server> server_;
 };

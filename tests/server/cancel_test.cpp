@@ -35,7 +35,7 @@ struct Computing {
     static MemoryBudget memory(1 << 30);  // outlives the evaluations of all tests
     const Backend backend{
         materials, pool, 1 << 20, 8, logger, memory, FitBackend{fits, std::chrono::seconds(1)},
-        puts};
+        puts,      calls};
     EXPECT_TRUE(compute(backend, evaluation, state, [done](bool completed) {
                   done->set_value(completed);
                 }).ok());
@@ -43,6 +43,7 @@ struct Computing {
   }
   Materials materials;
   BackgroundQueue fits{1, 1}, puts{1, 1};
+  CallsUnderWay calls;
   spdlog::logger logger{"test"};
   ThreadPool pool;
 };

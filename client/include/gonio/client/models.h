@@ -54,9 +54,16 @@ struct ModelInfo {
   double albedo_limit = 1;  // the largest albedo over all directions, colours and scale at most 1
 };
 
+// A file of the server's materials folder that it cannot use.
+struct SkippedMaterial {
+  std::string name;    // of the material that it would be
+  std::string reason;  // what is wrong, with the file's name
+};
+
 struct Catalogue {
   std::vector<ModelInfo> models;
   std::vector<std::string> materials;  // names of the materials that the server holds, sorted
+  std::vector<SkippedMaterial> skipped_materials;
   std::vector<InstructionSet> instruction_sets;  // of the server's processor, the best last
   std::string server_version;
 };
