@@ -5,6 +5,7 @@
 #include <random>
 
 #include "client/attend.h"
+#include "gonio/base/shown.h"
 #include "wire/status.h"
 
 namespace gonio::client {
@@ -32,13 +33,13 @@ Error named(const grpc::Status& status, const std::string& peer) {
   if (!status.error_details().empty()) return error;
   switch (status.error_code()) {
     case grpc::StatusCode::UNAVAILABLE:
-      error.message = peer + " cannot be reached: " + status.error_message();
+      error.message = peer + " cannot be reached: " + shown(status.error_message());
       break;
     case grpc::StatusCode::DEADLINE_EXCEEDED:
       error.message = peer + " did not answer within the deadline";
       break;
     default:
-      error.message = peer + " answered: " + status.error_message();
+      error.message = peer + " answered: " + shown(status.error_message());
   }
   // With a bound it is the request that is too large, and the caller's to change: programs end with
   // another exit status than where a server is too busy. gRPC has no other mark of it than these

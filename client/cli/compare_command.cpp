@@ -67,8 +67,9 @@ std::string table_of(const Comparison& comparison) {
   constexpr std::size_t kName = 28;
   const fit::Data& data = comparison.data;
   std::string text = std::to_string(data.size()) + " pairs, " +
-                     std::to_string(data.left_out.total()) + " left out\n\n" + error_head(kName) +
-                     "\n";
+                     std::to_string(data.left_out.total()) + " left out";
+  if (comparison.input.raised > 0) text += ", " + raised_text(comparison.input);
+  text += "\n\n" + error_head(kName) + "\n";
   for (const Compared& one : comparison.compared)
     text += row(one.name, fit::compare(one.material, data, 0), kName);
   return text;

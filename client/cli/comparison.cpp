@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "client/cli/material_argument.h"
+#include "client/cli/terminal.h"
 #include "engine/material_impl.h"
 #include "server/materials.h"
 
@@ -72,6 +73,7 @@ Result<chart::Measured> read_chart_data(const std::string& file, bool degrees) {
   if (!input) return input.error();
   auto data = data_of(*input, materials);
   if (!data) return data.error();
+  if (input->raised > 0) print_note(file + ": " + raised_text(*input));
   chart::Measured measured{shown_name(file), std::move(*data), nullptr};
   if (!input->measured) return measured;
   const auto material = materials.resolve(input->measured->wire());
