@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "gonio/base/shown.h"
 #include "gonio/v1/material.pb.h"
 #include "wire/message.h"
 
@@ -24,7 +25,7 @@ Result<std::string> json_of(const google::protobuf::Message& message,
   std::string json;
   const auto status = util::BinaryToJsonString(types.get(), kPrefix + ("/" + message.GetTypeName()),
                                                wire::to_bytes(message), &json, options);
-  if (!status.ok()) return Error{ErrorCode::internal, status.ToString(), {}, {}, {}};
+  if (!status.ok()) return Error{ErrorCode::internal, shown(status.ToString()), {}, {}, {}};
   return json;
 }
 

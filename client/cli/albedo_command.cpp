@@ -14,6 +14,7 @@
 #include "client/cli/number_arguments.h"
 #include "client/cli/numbers.h"
 #include "client/cli/summary.h"
+#include "client/cli/terminal.h"
 #include "client/cli/wi_argument.h"
 #include "gonio/engine/grid.h"
 
@@ -114,8 +115,7 @@ int run(const AlbedoArguments& arguments) {
   if (!written) return fail(written.error());
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   if (arguments.verbose) {
-    std::fprintf(stderr, "gonio: %s\n",
-                 report_line(albedos->report, "samples", taken.count()).c_str());
+    print_note(report_line(albedos->report, "samples", taken.count()));
   }
   return exit_ok;
 }

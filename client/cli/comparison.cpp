@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "client/cli/material_argument.h"
+#include "client/cli/terminal.h"
 #include "client/cli/text.h"
 #include "engine/material_impl.h"
 #include "server/materials.h"
@@ -93,6 +94,7 @@ Result<chart::Measured> read_chart_data(const std::string& file, bool degrees) {
   auto data = data_of(*input, materials);
   if (!data) return data.error();
   if (auto usable = check_usable(file, *data); !usable) return usable.error();
+  if (input->raised > 0) print_note(file + ": " + raised_text(*input));
   chart::Measured measured{shown_name(file), std::move(*data), nullptr};
   if (!input->measured) return measured;
   const auto material = materials.resolve(input->measured->wire());

@@ -1,6 +1,6 @@
 #include "client/cli/exit_codes.h"
 
-#include <cstdio>
+#include "client/cli/terminal.h"
 
 namespace gonio::cli {
 
@@ -25,7 +25,7 @@ ExitCode exit_code_of(const Error& error) {
 }
 
 ExitCode fail(const Error& error) {
-  std::fprintf(stderr, "gonio: error: %s\n", error.message.c_str());
+  print_error(error.message);
   return exit_code_of(error);
 }
 

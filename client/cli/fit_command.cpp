@@ -17,6 +17,7 @@
 #include "client/cli/measured_input.h"
 #include "client/cli/output_file.h"
 #include "client/cli/progress.h"
+#include "client/cli/terminal.h"
 
 namespace gonio::cli {
 namespace {
@@ -66,8 +67,10 @@ const NamedFit* best_of(const std::vector<NamedFit>& fits) {
   return best;
 }
 
-std::string report_of(const std::vector<NamedFit>& fits, const FitArguments& arguments) {
-  std::string text = "{\"data\": " + json_string(arguments.data) + ",\n\"fits\": [";
+std::string report_of(const std::vector<NamedFit>& fits, const FitArguments& arguments,
+                      const MeasuredInput& input) {
+  std::string text = "{\"data\": " + json_string(arguments.data) +
+                     ", \"raised_to_zero\": " + std::to_string(input.raised) + ",\n\"fits\": [";
   const char* separator = "\n";
   for (const NamedFit& fit : fits) {
     text += separator + ("{\"model\": " + json_string(fit.name)) + ", \"verdict\": \"" +
@@ -104,12 +107,19 @@ Result<Outputs> open_outputs(const FitArguments& arguments) {
   return outputs;
 }
 
+std::string page_of(const std::vector<NamedFit>& fits, const FitArguments& arguments,
+                    const MeasuredInput& input) {
+  std::string text = shown_lines(fit_page(fits, arguments));
+  if (input.raised > 0) text += "\nOf the data: " + raised_text(input) + ".\n";
+  return text;
+}
+
 // The reports in any case, the material if there is one.
 Outcome write_all(Outputs& outputs, const std::vector<NamedFit>& fits, const NamedFit* best,
-                  const FitArguments& arguments) {
+                  const FitArguments& arguments, const MeasuredInput& input) {
   for (std::size_t i = 0; i < outputs.reports.size(); ++i) {
     const auto written = outputs.reports[i].write_whole(
-        outputs.pages[i] ? fit_page(fits, arguments) : report_of(fits, arguments));
+        outputs.pages[i] ? page_of(fits, arguments, input) : report_of(fits, arguments, input));
     if (!written) return written;
   }
   if (!outputs.material || best == nullptr) return Ok{};
@@ -127,6 +137,8 @@ int run(const FitArguments& arguments) {
   if (auto angles = check_angles(arguments); !angles) return fail(angles.error());
   auto input = read_data(arguments.data, arguments.connection.server.empty(), arguments.degrees);
   if (!input) return fail(input.error());
+  if (input->raised > 0 && !arguments.quiet)
+    print_note(arguments.data + ": " + raised_text(*input));
   auto connection = Connection::open(arguments.connection);
   if (!connection) return fail(connection.error());
   const auto catalogue = connection->client.list_models();
@@ -139,7 +151,7 @@ int run(const FitArguments& arguments) {
   const auto fits = fit_all(connection->client, input->data(), *forms, arguments);
   if (!fits) return fail(fits.error());
   const NamedFit* best = best_of(*fits);
-  if (auto written = write_all(*outputs, *fits, best, arguments); !written)
+  if (auto written = write_all(*outputs, *fits, best, arguments, *input); !written)
     return fail(written.error());
   const bool taken = arguments.output == "-" ||
                      std::count(arguments.reports.begin(), arguments.reports.end(), "-") > 0;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "client/cli/text.h"
+#include "gonio/base/shown.h"
 
 namespace gonio::cli {
 namespace {
@@ -164,7 +165,7 @@ std::string how(const FitArguments& arguments) {
 }  // namespace
 
 std::string fit_page(const std::vector<NamedFit>& fits, const FitArguments& arguments) {
-  std::string text = "# Fits to " + arguments.data + "\n\n" + how(arguments);
+  std::string text = "# Fits to " + shown(arguments.data) + "\n\n" + how(arguments);
   if (!fits.empty()) text += "\n" + left_out_line(fits.front().result.certificate) + ".\n";
   text += head({"model", "verdict", "L1 all", "L1 up to 80°", "L1 above 80°", "CPU s"});
   for (const NamedFit& fit : fits) {

@@ -4,6 +4,7 @@
 #include <google/protobuf/wrappers.pb.h>
 
 #include "client/cli/numbers.h"
+#include "gonio/base/shown.h"
 
 namespace gonio::cli {
 
@@ -11,6 +12,9 @@ std::string json_string(std::string_view text) {
   google::protobuf::StringValue value;
   value.set_value(std::string(text));
   std::string json;
+  if (google::protobuf::util::MessageToJsonString(value, &json).ok()) return json;
+  value.set_value(shown(text));  // bytes that are not UTF-8
+  json.clear();
   return google::protobuf::util::MessageToJsonString(value, &json).ok() ? json : "\"\"";
 }
 

@@ -7,6 +7,10 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/text/encoding.h"
+#include "gonio/base/shown.h"
+#include "wire/convert.h"
+
 namespace gonio::cli {
 
 Result<JsonObject> read_object(const std::string& file, const char* what) {
@@ -14,16 +18,22 @@ Result<JsonObject> read_object(const std::string& file, const char* what) {
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file, ignored))
     return bad_value(what, file, "a JSON file that can be read", ErrorCode::not_found);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+  const std::string content{std::istreambuf_iterator<char>(in), {}};
+  const auto plain = utf8_text(content, file);
+  if (!plain) return plain.error();
+  const std::string_view text = *plain;
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     return bad_value(what, file + ", which is empty", "a JSON object");
   if (text[text.find_first_not_of(" \t\r\n")] != '{')
     return bad_value(what, file + ", which does not begin with {", "a JSON object");
   JsonObject object;
-  const auto status = google::protobuf::util::JsonStringToMessage(text, &object);
+  const auto status = google::protobuf::util::JsonStringToMessage(
+      google::protobuf::StringPiece(text.data(), text.size()), &object);
   if (status.ok()) return object;
-  return Error{ErrorCode::invalid_argument, file + ": " + std::string(status.message()), what, file,
-               "a JSON object"};
+  return Error{
+      ErrorCode::invalid_argument,
+      shown(file) + ": " + wire::json_problem({status.message().data(), status.message().size()}),
+      what, shown(file), "a JSON object"};
 }
 
 std::string as_text(const JsonValue& value) {

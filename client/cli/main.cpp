@@ -1,12 +1,12 @@
 // gonio: the command line.
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <exception>
 #include <string>
 
 #include "client/cli/commands.h"
 #include "client/cli/exit_codes.h"
 #include "client/cli/output_file.h"
+#include "client/cli/terminal.h"
 #include "gonio/base/version.h"
 
 namespace {
@@ -61,7 +61,8 @@ int main(int argc, char** argv) try {
   } catch (const CLI::Success& wanted) {  // --help, --version
     return app.exit(wanted);
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "gonio: error: %s\nTry 'gonio --help'.\n", error.what());
+    gonio::cli::print_error(error.what());
+    gonio::cli::print_lines("Try 'gonio --help'.\n");
     return exit_bad_input;
   }
   gonio::cli::handle_signals();
@@ -70,6 +71,6 @@ int main(int argc, char** argv) try {
   }
   return exit_bad_input;
 } catch (const std::exception& error) {  // out of memory
-  std::fprintf(stderr, "gonio: error: %s\n", error.what());
+  gonio::cli::print_error(error.what());
   return gonio::cli::exit_failed;
 }

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <system_error>
 
+#include "base/text/encoding.h"
+#include "gonio/base/shown.h"
 #include "gonio/engine/registry.h"
 #include "wire/convert.h"
 
@@ -19,7 +21,7 @@ using client::Material;
 constexpr std::size_t kLongestJson = std::size_t{1} << 20;
 
 Error error_in(const std::string& file, const std::string& what) {
-  return {ErrorCode::invalid_argument, file + ": " + what, "material", file, {}};
+  return {ErrorCode::invalid_argument, shown(file) + ": " + what, "material", shown(file), {}};
 }
 
 Error only_embedded(const std::string& file) {
@@ -52,7 +54,7 @@ Result<Material> material_beside(const std::string& json, const fs::path& folder
   if (fields.empty()) message->clear_parameters();
   std::string resolved;
   const auto status = google::protobuf::util::MessageToJsonString(*message, &resolved);
-  if (!status.ok()) return error_in(origin, status.ToString());
+  if (!status.ok()) return error_in(origin, shown(status.ToString()));
   return Material::from_json(resolved);
 }
 
@@ -65,7 +67,7 @@ Result<Material> read_file(const std::string& file, bool embedded) {
   std::error_code error;
   const auto status = fs::status(file, error);
   if (!fs::exists(status)) {
-    return Error{ErrorCode::not_found, "no such file: " + file, "material", file,
+    return Error{ErrorCode::not_found, "no such file: " + shown(file), "material", shown(file),
                  "inline JSON, a .json or MERL .binary file, or the name of a stored material"};
   }
   if (fs::is_directory(status)) return error_in(file, "is a folder, not a material");
@@ -86,19 +88,22 @@ Error nothing_stored(const std::string& name) {
       "without --server: inline JSON such as '{\"model\": \"ggx\"}', or FILE.json";
   if (find_model(name)) allowed = "for this model: '{\"model\": \"" + name + "\"}'";
   Error error = bad_value("--material", "\"" + name + "\"", allowed, ErrorCode::not_found);
-  error.message = "no material \"" + name + "\" is stored; allowed " + allowed;
+  error.message =
+      "no material \"" + shown(name, kQuotedLength) + "\" is stored; allowed " + allowed;
   return error;
 }
 
 }  // namespace
 
 Result<Material> read_material(const std::string& argument, bool embedded) {
-  const auto start = argument.find_first_not_of(" \t\r\n");
+  const auto plain = utf8_text(argument, "--material");
+  if (!plain) return plain.error();
+  const auto start = plain->find_first_not_of(" \t\r\n");
   if (start == std::string::npos) {
     return bad_value("--material", "empty",
                      "inline JSON, a file, or the name of a stored material");
   }
-  if (argument[start] == '{') return material_beside(argument, {}, embedded, "--material");
+  if ((*plain)[start] == '{') return material_beside(argument, {}, embedded, "--material");
   const std::string extension = fs::path(argument).extension();
   const bool file =
       extension == ".json" || extension == ".binary" || argument.find('/') != std::string::npos;

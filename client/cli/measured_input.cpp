@@ -40,6 +40,7 @@ Result<MeasuredInput> from_pairs(const Result<MeasuredPairs>& pairs) {
   input.wo = narrow(pairs->wo);
   input.values = narrow(pairs->values);
   input.weights = narrow(pairs->weights);
+  input.raised = pairs->raised;
   return input;
 }
 
@@ -67,6 +68,12 @@ Result<MeasuredInput> from_merl(const std::string& file) {
 }
 
 }  // namespace
+
+std::string raised_text(const MeasuredInput& input) {
+  if (input.raised == 0) return {};
+  return std::to_string(input.raised) + (input.raised == 1 ? " value" : " values") +
+         " below 0 set to 0 (colours that sRGB cannot show)";
+}
 
 Result<MeasuredInput> read_measured(const std::string& file, bool keep_tables, bool degrees) {
   const std::string extension = std::filesystem::path(file).extension();

@@ -16,11 +16,15 @@ struct MeasuredInput {
   int channels = 0;
   std::vector<float> wi, wo, values, weights;  // as client::FitData has them
   std::optional<client::Material> measured;    // in their place
+  std::size_t raised = 0;  // of the values: those below 0 that the reader set to 0
 
   [[nodiscard]] client::FitData data() const {
     return {wi, wo, values, channels, weights, measured};
   }
 };
+
+// "746 values below 0 set to 0 (colours that sRGB cannot show)"; empty where there are none.
+std::string raised_text(const MeasuredInput& input);
 
 // By the file's extension: .binary is MERL, .brdf Cornell's text, .dat or .alta ALTA's, .bsdf
 // RGL's; anything else is CSV or NPY, told apart by its first bytes. Without weights of its own a

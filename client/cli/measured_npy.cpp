@@ -6,6 +6,7 @@
 
 #include "client/cli/measured_input.h"
 #include "client/cli/npy_header.h"
+#include "gonio/base/shown.h"
 
 namespace gonio::cli {
 namespace {
@@ -59,8 +60,8 @@ Outcome read_rows(ByteSource& source, const NpyHeader& header, const NpyError& e
 Result<MeasuredInput> read_measured_npy(ByteSource source) {
   const NpyError error = [&](const std::string& problem, const std::string& value) {
     return Error{ErrorCode::invalid_argument,
-                 source.name() + ": " + problem + "; allowed: " + kAllowed, "--data", value,
-                 kAllowed};
+                 shown(source.name() + ": " + problem) + "; allowed: " + kAllowed, "--data",
+                 shown(value), kAllowed};
   };
   const auto header = read_npy_header(source, error);
   if (!header) return header.error();

@@ -10,6 +10,7 @@
 #include "client/cli/model_page.h"
 #include "client/cli/output_file.h"
 #include "client/cli/presets.h"
+#include "gonio/base/shown.h"
 
 namespace gonio::cli {
 namespace {
@@ -30,9 +31,9 @@ Result<std::string> text_for(const client::Client& client, const Arguments& argu
   if (!catalogue) return catalogue.error();
   if (!arguments.name.empty() && catalogue->models.empty()) {
     return Error{ErrorCode::not_found,
-                 "there is no model '" + arguments.name + "'",
+                 "there is no model '" + shown(arguments.name, kQuotedLength) + "'",
                  "name",
-                 arguments.name,
+                 shown(arguments.name, kQuotedLength),
                  {}};
   }
   if (arguments.presets) return preset_table(*catalogue);
@@ -45,11 +46,8 @@ int run(const Arguments& arguments) {
   if (!connection) return fail(connection.error());
   auto text = text_for(connection->client, arguments);
   if (!text) return fail(text.error());
-  auto output = OutputFile::open("-");
-  if (!output) return fail(output.error());
-  const auto written = output->write(*text);
-  if (!written && !output->reader_gone()) return fail(written.error());
-  return exit_ok;
+  const auto written = print(*text);
+  return written ? exit_ok : fail(written.error());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "client/cli/npy_header.h"
 #include "client/cli/pair_input.h"
+#include "gonio/base/shown.h"
 
 namespace gonio::cli {
 namespace {
@@ -20,8 +21,9 @@ struct File {
   [[nodiscard]] Error error(const std::string& problem, const std::string& value) const {
     const std::string allowed = "an array of float32 or float64 ('<f4' or '<f8'), shape (N, " +
                                 std::to_string(columns_of(what)) + "), C order";
-    return {ErrorCode::invalid_argument, source.name() + ": " + problem + "; allowed: " + allowed,
-            argument_of(what), value, allowed};
+    return {ErrorCode::invalid_argument,
+            shown(source.name() + ": " + problem) + "; allowed: " + allowed, argument_of(what),
+            shown(value), allowed};
   }
 };
 

@@ -14,6 +14,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "client/cli/terminal.h"
+#include "gonio/base/shown.h"
+
 namespace gonio::cli {
 namespace {
 
@@ -84,13 +87,13 @@ Result<OutputFile> OutputFile::open(const std::string& file, bool rewind) {
 Outcome print(const std::string& text) {
   auto output = OutputFile::open("-");
   if (!output) return output.error();
-  const auto written = output->write(text);
+  const auto written = output->write(shown_lines(text));
   return output->reader_gone() ? Outcome(Ok{}) : written;
 }
 
 Outcome print_table(const std::string& text, bool stdout_is_taken) {
   if (!stdout_is_taken) return print(text);
-  std::fputs(text.c_str(), stderr);
+  print_lines(text);
   return Ok{};
 }
 
@@ -135,8 +138,8 @@ void OutputFile::discard() {
 
 Error OutputFile::cannot_write(int reason) {
   reader_gone_ = reason == EPIPE;
-  return {
-      ErrorCode::internal, name_ + " cannot be written: " + std::strerror(reason), {}, name_, {}};
+  const std::string name = shown(name_);
+  return {ErrorCode::internal, name + " cannot be written: " + std::strerror(reason), {}, name, {}};
 }
 
 Outcome OutputFile::write_to(int descriptor, std::string_view bytes) {

@@ -53,7 +53,8 @@ class OutputFile {
   bool reader_gone_ = false;
 };
 
-// To standard output. A reader that went away is no error.
+// Lines for people to standard output, each as shown() shows it. A reader that went away is no
+// error.
 Outcome print(const std::string& text);
 // A table for people must not stand among results that are read from standard output.
 Outcome print_table(const std::string& text, bool stdout_is_taken);

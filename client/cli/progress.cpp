@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <string>
 
+#include "gonio/base/shown.h"
+
 namespace gonio::cli {
 namespace {
 
@@ -55,7 +57,8 @@ void Progress::update(std::uint64_t done, std::optional<double> fraction) {
 
 void Progress::show(double fraction, const std::string& text) {
   if (!is_due()) return;
-  std::fprintf(stderr, "\r\x1b[K%s, %s", bar(std::clamp(fraction, 0.0, 1.0)).c_str(), text.c_str());
+  std::fprintf(stderr, "\r\x1b[K%s, %s", bar(std::clamp(fraction, 0.0, 1.0)).c_str(),
+               shown(text).c_str());
 }
 
 }  // namespace gonio::cli

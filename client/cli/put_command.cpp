@@ -13,6 +13,7 @@
 #include "client/cli/output_file.h"
 #include "client/cli/progress.h"
 #include "gonio/measured/table.h"
+#include "measured/file_error.h"
 
 namespace gonio::cli {
 namespace {
@@ -38,7 +39,7 @@ struct PutArguments {
 Error bad_file(const std::string& file, ErrorCode code, const std::string& found) {
   const std::string allowed =
       "a MERL .binary file of " + std::to_string(MeasuredTable::kFileBytes) + " bytes";
-  return {code, file + ": found " + found + "; expected " + allowed, file, found, allowed};
+  return file_error(code, file, found, allowed);
 }
 
 // What has another size is not read: it is no such file, however large it is.

@@ -6,6 +6,7 @@
 #include "client/cli/json.h"
 #include "client/cli/json_fields.h"
 #include "client/cli/scene_needs.h"
+#include "gonio/base/shown.h"
 
 namespace gonio::cli {
 namespace {
@@ -72,7 +73,7 @@ Result<SceneMaterial> material_of(const std::string& name, const JsonValue& valu
 }  // namespace
 
 Error of_material(const std::string& name, Error error) {
-  if (!name.empty()) error.message.insert(0, name + ": ");
+  if (!name.empty()) error.message.insert(0, shown(name, kQuotedLength) + ": ");
   return error;
 }
 

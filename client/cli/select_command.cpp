@@ -16,6 +16,8 @@
 #include "client/cli/select_arguments.h"
 #include "client/cli/select_outputs.h"
 #include "client/cli/select_report.h"
+#include "client/cli/terminal.h"
+#include "gonio/base/shown.h"
 
 namespace gonio::cli {
 namespace {
@@ -53,6 +55,7 @@ Result<Reference> read_reference(const std::string& argument, const SelectArgume
   if (pairs) {
     auto input = read_measured(argument, false, arguments.degrees);
     if (!input) return input.error();
+    if (input->raised > 0 && !arguments.quiet) print_note(argument + ": " + raised_text(*input));
     reference.input = std::move(*input);
     return reference;
   }
@@ -95,8 +98,8 @@ Outcome check_reference(const SceneMaterial& material) {
                               is_of_pairs(extension) || name.find('/') != std::string::npos);
   std::error_code ignored;
   if (!file || std::filesystem::exists(name, ignored)) return Ok{};
-  return of_material(material.name, {ErrorCode::not_found, "no such file: " + name, "reference",
-                                     name, "a file that can be read"});
+  return of_material(material.name, {ErrorCode::not_found, "no such file: " + shown(name),
+                                     "reference", shown(name), "a file that can be read"});
 }
 
 Outcome show_table(const SelectArguments& arguments, const std::vector<NamedSelection>& found) {

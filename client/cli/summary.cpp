@@ -4,6 +4,8 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "client/cli/terminal.h"
+
 namespace gonio::cli {
 namespace {
 
@@ -56,8 +58,8 @@ std::string report_line(const client::Report& report, const std::string& items, 
 void print_summary(const client::Report& report, const std::string& items, double seconds,
                    bool quiet, bool verbose) {
   const std::string flags = flag_summary(report, items);
-  if (!flags.empty() && !quiet) std::fprintf(stderr, "gonio: %s\n", flags.c_str());
-  if (verbose) std::fprintf(stderr, "gonio: %s\n", report_line(report, items, seconds).c_str());
+  if (!flags.empty() && !quiet) print_note(flags);
+  if (verbose) print_note(report_line(report, items, seconds));
 }
 
 }  // namespace gonio::cli

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "gonio/base/shown.h"
+
 namespace gonio::cli {
 namespace {
 
@@ -10,12 +12,14 @@ constexpr std::size_t kPageWidth = 96;
 }  // namespace
 
 std::string padded(std::string_view text, std::size_t width) {
-  std::string result(text);
+  std::string result = shown(text);
   result.resize(std::max(result.size() + 1, width), ' ');
   return result;
 }
 
-std::string wrapped(std::string_view text, std::size_t indent) {
+std::string wrapped(std::string_view words, std::size_t indent) {
+  const std::string line = shown(words);
+  std::string_view text = line;
   std::string result;
   std::size_t column = indent;
   while (!text.empty()) {

@@ -7,11 +7,12 @@
 
 namespace gonio::cli {
 
-// At least one space follows.
+// A cell of a table, as shown() shows its text; at least one space follows.
 std::string padded(std::string_view text, std::size_t width);
 
-// Breaks `text` into lines that start at column `indent`; the first one is already there.
-std::string wrapped(std::string_view text, std::size_t indent);
+// Breaks `words`, as shown() shows them, into lines that start at column `indent`; the first one is
+// already there.
+std::string wrapped(std::string_view words, std::size_t indent);
 
 std::string joined(const std::vector<std::string>& words, std::string_view separator);
 

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "client/image/read.h"
+#include "gonio/base/shown.h"
 
 namespace gonio::image {
 namespace {
@@ -79,7 +80,8 @@ Result<Image> read_first_part(const std::string& file) {
   auto grey = is_grey(file, header.channels());
   if (!grey) return grey.error();
   if (!input.isComplete()) {
-    return Error{ErrorCode::data_loss, file + " is truncated: rows are missing", file, {}, {}};
+    return Error{
+        ErrorCode::data_loss, shown(file) + " is truncated: rows are missing", shown(file), {}, {}};
   }
   const auto& window = header.dataWindow();
   Image image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1);
@@ -115,8 +117,11 @@ Result<std::string> encode_exr(const Image& image) try {
 Result<Image> read_exr(const std::string& file) try {
   return read_first_part(file);
 } catch (const std::exception& error) {
-  return Error{
-      ErrorCode::data_loss, file + " cannot be read as OpenEXR: " + error.what(), file, {}, {}};
+  return Error{ErrorCode::data_loss,
+               shown(file + " cannot be read as OpenEXR: " + error.what()),
+               shown(file),
+               {},
+               {}};
 }
 
 }  // namespace gonio::image

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "client/image/read.h"
+#include "gonio/base/shown.h"
 
 namespace gonio::image {
 namespace {
@@ -20,7 +21,8 @@ struct Header {
 };
 
 Error broken(const std::string& file, const std::string& what) {
-  return {ErrorCode::data_loss, file + " cannot be read as PFM: " + what, file, {}, {}};
+  return {
+      ErrorCode::data_loss, shown(file) + " cannot be read as PFM: " + what, shown(file), {}, {}};
 }
 
 Result<Header> read_header(const std::string& file, std::ifstream& in) {

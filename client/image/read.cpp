@@ -5,6 +5,7 @@
 
 #include "client/image/exr.h"
 #include "client/image/pfm.h"
+#include "gonio/base/shown.h"
 
 namespace gonio::image {
 
@@ -22,7 +23,7 @@ Result<Image> read(const std::string& file) {
   }
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
-    return Error{ErrorCode::not_found, "no such file: " + file, file, {}, {}};
+    return Error{ErrorCode::not_found, "no such file: " + shown(file), shown(file), {}, {}};
   }
   return extension == ".exr" ? read_exr(file) : read_pfm(file);
 }

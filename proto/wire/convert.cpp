@@ -2,8 +2,11 @@
 
 #include <google/protobuf/util/json_util.h>
 
+#include <algorithm>
 #include <string>
 
+#include "base/text/encoding.h"
+#include "gonio/base/shown.h"
 #include "wire/material_keys.h"
 
 namespace gonio::wire {
@@ -74,16 +77,27 @@ Result<Isa> from_wire(gonio::v1::InstructionSet isa) {
   }
 }
 
+std::string json_problem(std::string_view message) {
+  const std::size_t end = std::min(message.find('\n'), message.size());
+  std::string problem = shown(message.substr(0, end), kQuotedLength);
+  message.remove_prefix(std::min(end + 1, message.size()));
+  const std::string_view quoted = message.substr(0, message.find('\n'));
+  if (!quoted.empty()) problem += " Near '" + shown(quoted, kQuotedLength) + "'";
+  return problem;
+}
+
 Result<gonio::v1::Material> material_from_json(std::string_view json) {
+  const auto text = utf8_text(json, "the JSON of a material");
+  if (!text) return text.error();
   gonio::v1::Material material;
   const auto status = google::protobuf::util::JsonStringToMessage(
-      google::protobuf::StringPiece(json.data(), json.size()), &material);
+      google::protobuf::StringPiece(text->data(), text->size()), &material);
   if (status.ok()) return material;
-  if (auto known = check_material_keys(json); !known) return known.error();
+  if (auto known = check_material_keys(*text); !known) return known.error();
   return Error{
       ErrorCode::invalid_argument,
       "not the JSON of a material: " +
-          std::string(status.message().data(), status.message().size()),
+          json_problem({status.message().data(), status.message().size()}),
       "", "",
       R"({"name": ...}, {"model": ..., "parameters": {...}} or {"diffuse": ..., "specular": [...]})"};
 }

@@ -30,4 +30,7 @@ Result<Isa> from_wire(gonio::v1::InstructionSet isa);
 // unknown fields.
 Result<gonio::v1::Material> material_from_json(std::string_view json);
 
+// What protobuf says of text that is no JSON, on one line: it quotes the text below its words.
+std::string json_problem(std::string_view message);
+
 }  // namespace gonio::wire

@@ -7,6 +7,7 @@
 #include "client/cli/chart/figures.h"
 #include "client/cli/chart/gnuplot.h"
 #include "client/cli/output_file.h"
+#include "gonio/base/shown.h"
 
 namespace gonio::cli {
 namespace {
@@ -47,8 +48,8 @@ Outcome make_folder(const std::string& folder) {
   std::filesystem::create_directories(folder, problem);
   if (problem || !std::filesystem::is_directory(folder, problem)) {
     const std::string why = problem ? problem.message() : "it is no folder";
-    return Error{ErrorCode::invalid_argument, "-o: " + folder + " cannot be made: " + why, "-o",
-                 folder, "a folder, or the name of one that can be made"};
+    return Error{ErrorCode::invalid_argument, "-o: " + shown(folder) + " cannot be made: " + why,
+                 "-o", shown(folder), "a folder, or the name of one that can be made"};
   }
   // What cannot be written shows before the work.
   const auto file = OutputFile::open(path_in(folder, "chart.json"));

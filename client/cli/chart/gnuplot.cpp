@@ -13,12 +13,14 @@
 #include <optional>
 #include <system_error>
 
+#include "gonio/base/shown.h"
+
 namespace gonio::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-Error failure(const std::string& what) { return {ErrorCode::internal, what, {}, {}, {}}; }
+Error failure(const std::string& what) { return {ErrorCode::internal, shown(what), {}, {}, {}}; }
 
 // A folder that goes away with this.
 class TemporaryFolder {

@@ -67,8 +67,9 @@ std::string compare_table(const Comparison& comparison, const std::vector<fit::C
   constexpr std::size_t kName = 28;
   const fit::Data& data = comparison.data;
   std::string text = std::to_string(data.size()) + " pairs, " +
-                     std::to_string(data.left_out.total()) + " left out\n\n" + error_head(kName) +
-                     "\n";
+                     std::to_string(data.left_out.total()) + " left out";
+  if (comparison.input.raised > 0) text += ", " + raised_text(comparison.input);
+  text += "\n\n" + error_head(kName) + "\n";
   for (std::size_t i = 0; i < found.size(); ++i)
     text += row(comparison.compared[i].name, found[i], kName);
   return text;
