@@ -137,7 +137,7 @@ TYPED_TEST(Lookup, InvalidCellsDoNotBleed) {
     const auto got = run<Out>(table, Interpolation::linear, pairs, isa);
     std::size_t known = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (got.flags[i] != 0) continue;
+      if ((got.flags[i] & ~flag::hole) != 0) continue;
       ++known;
       for (std::size_t c = 0; c < 3; ++c) {
         ASSERT_NEAR(static_cast<double>(got.values[3 * i + c]), static_cast<double>(0.7F),
@@ -253,7 +253,7 @@ TYPED_TEST(Lookup, AgreesOnRealMaterials) {
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Interpolated want = interpolate(*table, position_of(pairs, i));
         if (want.weight < 1e-3L) continue;
-        ASSERT_EQ(got.flags[i], 0);
+        ASSERT_EQ(got.flags[i] & ~flag::hole, 0);
         for (std::size_t c = 0; c < 3; ++c) {
           const auto error = std::abs(static_cast<Real>(got.values[3 * i + c]) - want.value[c]);
           ASSERT_TRUE(std::isfinite(got.values[3 * i + c]));
