@@ -30,6 +30,12 @@ void fill(const AssessLimits& from, v1::AssessLimits& to) {
   set(from.weight_error, [&](double x) { to.set_weight_error(x); });
   set(from.probability, [&](double x) { to.set_probability(x); });
   set(from.deviation, [&](double x) { to.set_deviation(x); });
+  set(from.missing, [&](double x) { to.set_missing(x); });
+  set(from.missing_region, [&](double x) { to.set_missing_region(x); });
+  set(from.zeros, [&](double x) { to.set_zeros(x); });
+  set(from.holes, [&](double x) { to.set_holes(x); });
+  set(from.outlier, [&](double x) { to.set_outlier(x); });
+  set(from.extreme, [&](double x) { to.set_extreme(x); });
 }
 
 // 0 would mean the default on the wire.
@@ -83,11 +89,12 @@ AssessIncidence incidence_of(const v1::AssessIncidence& from) {
   to.mass = from.mass(), to.lost = from.lost(), to.unsure = from.unsure();
   to.probability = from.probability();
   to.weight = worst_of(from.weight());
+  to.deviation = list<double>(from.deviation());
   return to;
 }
 
 AssessCheck check_of(const v1::AssessCheck& from) {
-  return {from.name(), from.value(), from.limit(), from.passed(), from.where()};
+  return {from.name(), from.value(), from.limit(), from.passed(), from.where(), from.note()};
 }
 
 Result<Assessment> assessment_of(const v1::AssessResponse& response) {

@@ -41,7 +41,7 @@ void take_flags(const Answer& answer, std::span<std::uint8_t> flags, Report& rep
   std::array<std::uint64_t, 256> histogram{};
   for (const std::uint8_t flag : flags) ++histogram[flag];
   for (std::size_t value = 1; value < histogram.size(); ++value) {
-    report.flagged += histogram[value];
+    if (value != flag::hole) report.flagged += histogram[value];
     for (std::size_t bit = 0; bit < kFlagBits; ++bit) {
       if ((value >> bit) & 1U) report.flagged_by[bit] += histogram[value];
     }

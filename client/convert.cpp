@@ -10,6 +10,7 @@ static_assert(int{flag::incident_below_horizon} == gonio::v1::PAIR_FLAG_INCIDENT
 static_assert(int{flag::outgoing_below_horizon} == gonio::v1::PAIR_FLAG_OUTGOING_BELOW_HORIZON);
 static_assert(int{flag::outside_data} == gonio::v1::PAIR_FLAG_OUTSIDE_DATA);
 static_assert(int{flag::bad_number} == gonio::v1::PAIR_FLAG_BAD_NUMBER);
+static_assert(int{flag::hole} == gonio::v1::PAIR_FLAG_HOLE);
 
 Role role_of(gonio::v1::ModelRole role) {
   switch (role) {

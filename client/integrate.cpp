@@ -45,6 +45,7 @@ Outcome append(const Peer& peer, const gonio::v1::IntegrateResponse& answer, std
   const bool fits = channels > 0 && (to.report.channels == 0 || to.report.channels == channels) &&
                     answer.albedo_size() == values && answer.standard_error_size() == values &&
                     std::cmp_equal(answer.lost_size(), directions) &&
+                    (answer.holes().empty() || std::cmp_equal(answer.holes_size(), directions)) &&
                     (answer.flags().empty() || answer.flags().size() == directions);
   if (!fits) return malformed(peer, std::to_string(answer.albedo_size()) + " albedos");
   to.report.channels = channels;
@@ -55,6 +56,8 @@ Outcome append(const Peer& peer, const gonio::v1::IntegrateResponse& answer, std
   to.standard_error.insert(to.standard_error.end(), answer.standard_error().begin(),
                            answer.standard_error().end());
   to.lost.insert(to.lost.end(), answer.lost().begin(), answer.lost().end());
+  to.holes.insert(to.holes.end(), answer.holes().begin(), answer.holes().end());
+  to.holes.resize(to.lost.size());
   to.flags.insert(to.flags.end(), answer.flags().begin(), answer.flags().end());
   to.flags.resize(to.lost.size());
   return Ok{};

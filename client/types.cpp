@@ -10,7 +10,8 @@ constexpr std::array<std::string_view, kFlagBits> kFlagMeanings = {"not unit",
                                                                    "wi below the horizon",
                                                                    "wo below the horizon",
                                                                    "outside the data",
-                                                                   "a number outside [0, 1)"};
+                                                                   "a number outside [0, 1)",
+                                                                   "a hole of the table"};
 
 }  // namespace
 

@@ -49,6 +49,7 @@ void fill(const assess::Incidence& from, v1::AssessIncidence& to) {
   to.set_unsure(from.unsure);
   to.set_probability(from.probability);
   fill(from.weight, *to.mutable_weight());
+  to.mutable_deviation()->Assign(from.deviation.begin(), from.deviation.end());
 }
 
 void fill(const assess::Check& from, v1::AssessCheck& to) {
@@ -57,6 +58,7 @@ void fill(const assess::Check& from, v1::AssessCheck& to) {
   to.set_limit(from.limit);
   to.set_passed(from.passed);
   to.set_where(from.where);
+  to.set_note(from.note);
 }
 
 assess::Limits limits_of(const v1::AssessLimits& from) {
@@ -70,6 +72,12 @@ assess::Limits limits_of(const v1::AssessLimits& from) {
   if (from.has_weight_error()) to.weight_error = from.weight_error();
   if (from.has_probability()) to.probability = from.probability();
   if (from.has_deviation()) to.deviation = from.deviation();
+  if (from.has_missing()) to.missing = from.missing();
+  if (from.has_missing_region()) to.missing_region = from.missing_region();
+  if (from.has_zeros()) to.zeros = from.zeros();
+  if (from.has_holes()) to.holes = from.holes();
+  if (from.has_outlier()) to.outlier = from.outlier();
+  if (from.has_extreme()) to.extreme = from.extreme();
   return to;
 }
 

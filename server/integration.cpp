@@ -1,9 +1,12 @@
 #include "server/integration.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
+
+#include "engine/hole_share.h"
 
 namespace gonio {
 namespace {
@@ -53,6 +56,7 @@ Outcome Integration::allocate(std::size_t request_bytes, std::size_t max_answer_
            request_bytes + source_.directions() * per_wi);
   done_.resize(tiles());
   moments_.resize(tiles() * channels());
+  if (has_table(material())) holes_.resize(source_.directions());
   return Ok{};
 }
 
@@ -90,9 +94,22 @@ void Integration::integrate_block(const Sampler& from, std::size_t wi, std::size
   }
 }
 
+void Integration::find_holes(std::size_t wi) {
+  std::array<double, 3> direction{};
+  if (settings().precision == Precision::fast) {
+    std::array<float, 3> given{};
+    source_.wi.read(3 * wi, 3, given.data());
+    std::ranges::copy(given, direction.begin());
+  } else {
+    source_.wi.read(3 * wi, 3, direction.data());
+  }
+  holes_[wi] = hole_share(material(), direction, settings().isa);
+}
+
 void Integration::run_tile(std::size_t tile) {
   const std::size_t wi = tile / blocks_, block = tile % blocks_;
   const Sampler& from = sampler();  // made before the clock runs
+  if (block == 0 && !holes_.empty()) find_holes(wi);
   run_timed([&] {
     settings().precision == Precision::fast ? integrate_block<float>(from, wi, block)
                                             : integrate_block<double>(from, wi, block);
@@ -105,6 +122,7 @@ void Integration::add_answer(std::size_t wi, v1::IntegrateResponse& answer) cons
   std::uint64_t lost = 0;
   for (std::size_t block = 0; block < blocks_; ++block) lost += done_[wi * blocks_ + block].lost;
   answer.add_lost(static_cast<double>(lost) / n);
+  if (!holes_.empty()) answer.add_holes(holes_[wi]);
   for (std::size_t c = 0; c < channels(); ++c) {
     Moments all;
     for (std::size_t block = 0; block < blocks_; ++block) {

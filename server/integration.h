@@ -51,11 +51,13 @@ class Integration final : public Work {
   [[nodiscard]] std::uint64_t block_samples(std::size_t block) const;
   template <class T>
   void integrate_block(const Sampler& from, std::size_t wi, std::size_t block);
+  void find_holes(std::size_t wi);
   void add_answer(std::size_t wi, v1::IntegrateResponse& answer) const;
 
   IncidentSource source_;
   std::size_t blocks_ = 0;  // of each wi
   std::vector<Block> done_;
+  std::vector<double> holes_;     // of each wi, of a table only
   std::vector<Moments> moments_;  // of each block, all channels
 };
 

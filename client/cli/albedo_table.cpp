@@ -1,5 +1,6 @@
 #include "client/cli/albedo_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -16,6 +17,8 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 std::string fixed(const char* format, double number) {
   char text[64];
   std::snprintf(text, sizeof text, format, number);
+  if (has_holes)
+    text += "holes: the part of the hemisphere whose values the table has not measured\n";
   return text;
 }
 
@@ -55,13 +58,15 @@ std::string albedo_text(const std::vector<double>& wi, const client::Albedos& al
   for (int c = 0; c < albedos.report.channels; ++c) {
     text += fixed("   albedo_%-2.0f", c) + fixed("  error_%-2.0f", c);
   }
-  text += "      lost\n";
+  const bool has_holes = std::ranges::any_of(albedos.holes, [](double x) { return x > 0; });
+  text += has_holes ? "      lost     holes\n" : "      lost\n";
   for (std::size_t i = 0; i < albedos.lost.size(); ++i) {
     const double x = wi[3 * i], y = wi[3 * i + 1], z = wi[3 * i + 2];
     text += fixed("%8.3f", kDegrees * std::atan2(std::hypot(x, y), z));
     text += fixed(" %8.3f", kDegrees * std::atan2(y, x));
     const std::uint8_t flags = albedos.flags[i];
-    text += (flags == 0 ? numbers_of(albedos, i) : "  " + flag_words(flags)) + "\n";
+    text += flags == 0 ? numbers_of(albedos, i) : "  " + flag_words(flags);
+    text += has_holes && flags == 0 ? fixed("  %8.3g\n", albedos.holes[i]) : "\n";
   }
   return text;
 }
@@ -78,6 +83,7 @@ std::string albedo_json(const std::vector<double>& wi, const client::Albedos& al
             ", \"albedo\": " + of(albedos.albedo) +
             ", \"standard_error\": " + of(albedos.standard_error) +
             ", \"lost\": " + shortest(albedos.lost[i]) +
+            ", \"holes\": " + shortest(albedos.holes[i]) +
             ", \"flags\": " + std::to_string(albedos.flags[i]) + "}";
   }
   return json + "\n],\n\"report\": " + report_json(albedos.report, true) + "}\n";

@@ -33,6 +33,11 @@ Checks and their limits:
   reciprocity       --max-reciprocity             weights         --max-weight-error
                                                   sampled_albedo  --max-deviation
                                                   distribution    --min-probability
+and of a table, over all of its cells:
+  missing           --max-missing                 holes           --max-holes
+  missing_region    --max-missing-region          outlier         --max-outlier
+  zeros             --max-zeros                   extreme         --max-extreme
+Of samples a good material fails by chance in one of 1000 assessments.
 
 Exit status 4 if a check failed.
 
@@ -51,23 +56,36 @@ struct LimitOption {
   const char* what;
 };
 
-constexpr std::array<LimitOption, 9> kLimits{{
+constexpr std::array<LimitOption, 15> kLimits{{
     {"--max-error", &client::AssessLimits::error,
      "Relative error of the fast precision; the stated bound"},
     {"--max-reference-error", &client::AssessLimits::reference_error,
      "Relative error of the reference precision; the stated bound"},
     {"--max-reciprocity", &client::AssessLimits::reciprocity,
      "Relative difference when light and viewer change places; twice the stated bound"},
-    {"--max-gain", &client::AssessLimits::gain, "Albedo above 1; 0.001"},
+    {"--max-gain", &client::AssessLimits::gain,
+     "Albedo above 1; 0.001, of a table for light within 87 degrees of the normal"},
     {"--max-loss", &client::AssessLimits::loss, "Albedo below 1, 0 to 1; 1, which allows any"},
     {"--max-mass-error", &client::AssessLimits::mass,
      "How far the density's integral and the mass below the horizon are from 1; 0.005"},
     {"--max-weight-error", &client::AssessLimits::weight_error,
      "Relative error of weight x pdf; the stated bound and four roundings"},
     {"--max-deviation", &client::AssessLimits::deviation,
-     "Of albedos by samples, in standard errors; 5"},
+     "Of albedos by samples, in standard errors; such that one of 1000 good materials fails"},
     {"--min-probability", &client::AssessLimits::probability,
-     "Of the samples, by chi-square, 0 to 1; 1e-6"},
+     "Of the samples, by chi-square, 0 to 1; such that one of 1000 good materials fails"},
+    {"--max-missing", &client::AssessLimits::missing,
+     "Share of a table's cells without a measurement, to 80 degrees; 0.1"},
+    {"--max-missing-region", &client::AssessLimits::missing_region,
+     "The same in the worst range of ten cells of an angle; 0.5"},
+    {"--max-zeros", &client::AssessLimits::zeros,
+     "Share of a table's cells that hold 0, in the worst channel; 0.5"},
+    {"--max-holes", &client::AssessLimits::holes,
+     "Share of a table's cells that are masked: far darker than both sides; 0.001"},
+    {"--max-outlier", &client::AssessLimits::outlier,
+     "How many times as bright as what is about it a cell may be; 100"},
+    {"--max-extreme", &client::AssessLimits::extreme,
+     "f cos(theta_i) cos(theta_o) of a table's cells, in 1/sr; 100000"},
 }};
 
 Result<std::optional<OutputFile>> open_report(const std::string& file) {

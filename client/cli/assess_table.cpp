@@ -122,6 +122,7 @@ std::string checks_table(const client::Assessment& assessment) {
     text += padded(check.name, kName) + padded(number(check.value, "%.3g"), kCell) +
             padded(number(check.limit, "%.3g"), kCell) + padded(check.passed ? "ok" : "FAILED", 8) +
             check.where + "\n";
+    if (!check.note.empty()) text += "    " + wrapped(check.note, 4) + "\n";
   }
   return text;
 }

@@ -19,7 +19,8 @@ Beside "model", "diffuse", "specular" or "name", "rotation": DEG turns the tange
 
 const char* const kFlagHelp =
     R"(1 not unit length, 2 not finite, 4 zero vector, 8 wi below the horizon, 16 wo below the horizon,
-32 outside the measured data)";
+32 outside the measured data. 128 is no error: the value stands, and some of the table's cells that it
+is from are holes, masked or not measured.)";
 
 client::EvaluateOptions CommonArguments::evaluate_options() const {
   client::EvaluateOptions options;

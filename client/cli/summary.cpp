@@ -1,6 +1,7 @@
 #include "client/cli/summary.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdarg>
 #include <cstdio>
 
@@ -18,7 +19,19 @@ namespace {
   return buffer;
 }
 
+constexpr std::size_t kHoleBit = std::countr_zero(static_cast<unsigned>(client::flag::hole));
+
 }  // namespace
+
+std::string hole_summary(const client::Report& report, const std::string& items) {
+  const std::uint64_t met = report.flagged_by[kHoleBit];
+  if (met == 0) return {};
+  return format(
+      "%llu of %llu %s (%.3g %%) met holes of the table, cells that are masked or were not "
+      "measured; their values stand",
+      static_cast<unsigned long long>(met), static_cast<unsigned long long>(report.pairs),
+      items.c_str(), 100 * static_cast<double>(met) / static_cast<double>(report.pairs));
+}
 
 std::string flag_summary(const client::Report& report, const std::string& items) {
   if (report.flagged == 0) return {};
@@ -28,7 +41,7 @@ std::string flag_summary(const client::Report& report, const std::string& items)
                                           : " are flagged and have the value 0: ");
   const char* separator = "";
   for (std::size_t bit = 0; bit < client::kFlagBits; ++bit) {
-    if (report.flagged_by[bit] == 0) continue;
+    if (bit == kHoleBit || report.flagged_by[bit] == 0) continue;
     text += separator + std::to_string(report.flagged_by[bit]) + " ";
     text += client::flag_meaning(bit);
     separator = ", ";
@@ -59,6 +72,8 @@ void print_summary(const client::Report& report, const std::string& items, doubl
                    bool quiet, bool verbose) {
   const std::string flags = flag_summary(report, items);
   if (!flags.empty() && !quiet) print_note(flags);
+  const std::string holes = hole_summary(report, items);
+  if (!holes.empty() && !quiet) print_note(holes);
   if (verbose) print_note(report_line(report, items, seconds));
 }
 

@@ -12,6 +12,9 @@ namespace gonio::cli {
 // if there are none. Lost samples are among them.
 std::string flag_summary(const client::Report& report, const std::string& items);
 
+// "12 of 1000 pairs (1.2 %) met holes of the table, ..."; empty if none did.
+std::string hole_summary(const client::Report& report, const std::string& items);
+
 // "1000000 pairs x 3 channels in 0.021 s (47.6 M pairs/s); kernels 0.003 s; avx512, fast, relative
 // error <= 3e-06 ..."
 std::string report_line(const client::Report& report, const std::string& items, double seconds);
@@ -19,7 +22,7 @@ std::string report_line(const client::Report& report, const std::string& items, 
 // "relative error <= 3e-06 where f > 1e-30", and the note if there is one.
 std::string bound_text(const client::ErrorBound& bound);
 
-// Both on standard error: the flags unless `quiet`, the line if `verbose`.
+// All on standard error: flags and holes unless `quiet`, the line if `verbose`.
 void print_summary(const client::Report& report, const std::string& items, double seconds,
                    bool quiet, bool verbose);
 

@@ -39,6 +39,7 @@ Result<Report> assess(const Subject& subject, const Options& options,
     if (is_over()) break;
     report.incidences.push_back(sample_from(energy, subject, options.seed));
   }
+  if (subject.table && !is_over()) report.table = review(*subject.table);
   if (is_over()) return Error{ErrorCode::cancelled, "the assessment was cancelled", {}, {}, {}};
   judge(options.limits, report);
   report.cpu_seconds = cpu_seconds() - start;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr std::array<double, 9> kThetas{0, 15, 30, 45, 60, 75, 85, 89, 89.9};
-constexpr double kTableCell = 1. / 1024;  // of the mass, that a cell of the subdivision may hold
+constexpr std::size_t kRegular = 1 << 17;  // of a regular sequence, for the lost mass
+constexpr double kTableCell = 1. / 1024;   // of the mass, that a cell of the subdivision may hold
 constexpr double kBins = 96;
 constexpr double kCap = 16;  // times the albedo: where a weight is held to be rare
 
@@ -51,6 +52,15 @@ std::vector<double> columns_of(const Subject& subject, const Direction& wi,
       columns.push_back(f[i * channels + c] * pairs[i].wo[2]);
   }
   return columns;
+}
+
+// The part of samples below the horizon, by a regular sequence if any is.
+double lost_mass(const Subject& subject, const Direction& wi) {
+  const auto lost = [&](std::size_t count, Sequence sequence) {
+    const Drawn drawn = subject.draw(wi, count, {sequence, 1}, Precision::reference);
+    return static_cast<double>(drawn.lost) / static_cast<double>(count);
+  };
+  return lost(kRegular / 4, Sequence::random) > 0 ? lost(kRegular, Sequence::sobol) : 0;
 }
 
 // The means of weights with those above `cap` taken as that, and of their squares.
@@ -122,7 +132,9 @@ Energy integrate_from(const Angles& angles, const Subject& subject,
   for (std::size_t c = 0; c < channels; ++c)
     energy.albedo.push_back(energy.subdivision.integral(1 + c)),
         energy.change.push_back(energy.subdivision.change(1 + c));
-  if (!stop || !stop()) add_capped(subject, energy);
+  if (stop && stop()) return energy;
+  energy.lost = lost_mass(subject, given);
+  add_capped(subject, energy);
   return energy;
 }
 

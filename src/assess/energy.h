@@ -22,10 +22,10 @@ struct Energy {
   Angles angles;
   Direction given;  // wi
   Subdivision subdivision;
-  std::vector<Bin> bins = {};       // of the pdf, of about equal mass
-  double mass = 0, unsure = 0;      // as in Incidence
-  std::vector<double> albedo = {};  // of each channel
-  std::vector<double> change = {};  // of the albedo, as Subdivision::change
+  std::vector<Bin> bins = {};             // of the pdf, of about equal mass
+  double mass = 0, lost = 0, unsure = 0;  // as in Incidence
+  std::vector<double> albedo = {};        // of each channel
+  std::vector<double> change = {};        // of the albedo, as Subdivision::change
   // The mean and the variance of weights with those above `cap` taken as that: however heavy the
   // tail, a mean of samples is then within known bounds.
   std::vector<double> cap = {}, capped = {}, variance = {};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "assess/subject.h"
+#include "measured/table_review.h"
 
 namespace gonio::assess {
 
@@ -64,6 +65,7 @@ struct Check {
   double value = 0, limit = 0;
   bool passed = false;
   std::string where;  // "near_mirror", "85 degrees"; empty if nowhere
+  std::string note;   // what was left out, and why; mostly empty
 };
 
 struct Report {
@@ -71,6 +73,7 @@ struct Report {
   ErrorBound fast, reference;
   std::vector<PlaceReport> places;
   std::vector<Incidence> incidences;
+  std::optional<TableReview> table;  // of a measured material
   std::vector<Check> checks;
   bool passed = false;  // all checks
   double cpu_seconds = 0;

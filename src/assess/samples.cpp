@@ -11,13 +11,11 @@ namespace gonio::assess {
 namespace {
 
 constexpr std::size_t kDrawn = 1 << 15;    // samples that are held against the pdf
-constexpr std::size_t kRegular = 1 << 17;  // of a regular sequence, for the lost mass
 constexpr std::size_t kWeighed = 1 << 10;  // of which each weight is looked at
 constexpr std::size_t kHeaviest = 1 << 6;  // and of these, the largest of all
 
 // The probability of what was drawn, by chi-square over bins of the integrated pdf.
-double probability_of(const Subject& subject, const Energy& energy, double lost,
-                      std::uint64_t seed) {
+double probability_of(const Subject& subject, const Energy& energy, std::uint64_t seed) {
   const Drawn drawn =
       subject.draw(energy.given, kDrawn, {Sequence::random, seed}, Precision::reference);
   std::vector<double> observed(energy.bins.size()), expected;
@@ -26,19 +24,11 @@ double probability_of(const Subject& subject, const Energy& energy, double lost,
     if (drawn.flags[i] == 0) ++observed[energy.subdivision.bin_of(wo)];
   }
   // Of all together "pdf_mass" says whether it is right.
-  const double scale = energy.mass > 0 ? (1 - lost) / energy.mass : 1;
+  const double scale = energy.mass > 0 ? (1 - energy.lost) / energy.mass : 1;
   for (const Bin& bin : energy.bins) expected.push_back(scale * bin.mass * kDrawn);
-  expected.push_back(lost * kDrawn);
+  expected.push_back(energy.lost * kDrawn);
   observed.push_back(static_cast<double>(drawn.lost));
   return chi_square_probability(expected, observed);
-}
-
-double lost_mass(const Subject& subject, const Direction& wi, std::uint64_t seed) {
-  const auto lost = [&](std::size_t count, Sequence sequence) {
-    const Drawn drawn = subject.draw(wi, count, {sequence, seed}, Precision::reference);
-    return static_cast<double>(drawn.lost) / static_cast<double>(count);
-  };
-  return lost(kDrawn, Sequence::random) > 0 ? lost(kRegular, Sequence::sobol) : 0;
 }
 
 // weight pdf of a sample against f cos(theta_o) of its rounded direction.
@@ -119,8 +109,8 @@ Incidence sample_from(const Energy& energy, const Subject& subject, std::uint64_
   Incidence at;
   at.theta = energy.angles.theta, at.phi = energy.angles.phi;
   at.mass = energy.mass, at.unsure = energy.unsure, at.albedo = energy.albedo;
-  at.lost = lost_mass(subject, energy.given, seed);
-  at.probability = probability_of(subject, energy, at.lost, seed + 1);
+  at.lost = energy.lost;
+  at.probability = probability_of(subject, energy, seed + 1);
   look_at_weights(subject, energy, seed + 2, at);
   return at;
 }

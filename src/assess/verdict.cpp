@@ -12,6 +12,9 @@
 namespace gonio::assess {
 namespace {
 
+constexpr double kRadians = std::numbers::pi / 180;
+constexpr double kGain = 1e-3;  // by default
+
 std::string text_of(double x) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%g", x);
@@ -19,9 +22,8 @@ std::string text_of(double x) {
 }
 
 std::string name_of(const Incidence& at) {
-  constexpr double kDegrees = 180 / std::numbers::pi;
-  const std::string theta = text_of(at.theta * kDegrees) + " deg";
-  return at.phi == 0 ? theta : theta + ", phi " + text_of(at.phi * kDegrees);
+  const std::string theta = text_of(at.theta / kRadians) + " deg";
+  return at.phi == 0 ? theta : theta + ", phi " + text_of(at.phi / kRadians);
 }
 
 // The largest of what `of` finds in each element, and where. NaN counts as the largest.
@@ -56,12 +58,24 @@ class Judgement {
   }
 
   void judge_energy() {
-    from_angles("energy_gain", limits_.gain, [](const Incidence& at) {
-      return *std::ranges::max_element(at.albedo) - 1 - at.unsure;
-    });
+    judge_gain();
     from_angles("energy_loss", limits_.loss, [](const Incidence& at) {
       return 1 - *std::ranges::min_element(at.albedo) - at.unsure;
     });
+  }
+
+  void judge_table() {
+    if (!report_.table) return;
+    const TableReview& table = *report_.table;
+    const auto add_finding = [&](std::string_view check, const CellFinding& found, double limit) {
+      add(check, {found.value, found.where}, limit);
+    };
+    add_finding("missing", table.missing, limits_.missing);
+    add_finding("missing_region", table.missing_region, limits_.missing_region);
+    add_finding("zeros", table.zeros, limits_.zeros);
+    add_finding("holes", table.holes, limits_.holes);
+    add_finding("outlier", table.outlier, limits_.outlier);
+    add_finding("extreme", table.extreme, limits_.extreme);
   }
 
   void judge_samples() {
@@ -87,12 +101,31 @@ class Judgement {
   }
   void add(std::string_view check, std::pair<double, std::string> found, double limit) {
     report_.checks.push_back(
-        {check, found.first, limit, found.first <= limit, std::move(found.second)});
+        {check, found.first, limit, found.first <= limit, std::move(found.second), {}});
+  }
+
+  void judge_gain() {
+    const auto gain = [](const Incidence& at) {
+      return *std::ranges::max_element(at.albedo) - 1 - at.unsure;
+    };
+    const auto is_uncut = [](const Incidence& at) { return at.theta < kUncut * kRadians; };
+    if (limits_.gain || !report_.table) {
+      from_angles("energy_gain", limits_.gain.value_or(kGain), gain);
+      return;
+    }
+    std::vector<Incidence> uncut, cut;
+    for (const Incidence& at : report_.incidences) (is_uncut(at) ? uncut : cut).push_back(at);
+    add("energy_gain", largest(uncut, gain, name_of), kGain);
+    const auto beyond = largest(cut, gain, name_of);
+    if (beyond.first > kGain) {
+      report_.checks.back().note = text_of(beyond.first) + " at " + beyond.second +
+                                   ", where the horizon cuts the table's cells: not judged";
+    }
   }
 
   // The one check with a least value.
   void judge_distribution() {
-    Check check{"distribution", 1, limits_.probability.value_or(least_probability()), true, {}};
+    Check check{"distribution", 1, limits_.probability.value_or(least_probability()), true, {}, {}};
     for (const Incidence& at : report_.incidences) {
       if (at.probability >= check.value) continue;
       check.value = at.probability;
@@ -143,7 +176,13 @@ Outcome check_options(const Options& options) {
       {"mass", l.mass, kAny},
       {"weight_error", l.weight_error, kAny},
       {"probability", l.probability, 1},
-      {"deviation", l.deviation, kAny}};
+      {"deviation", l.deviation, kAny},
+      {"missing", l.missing, 1},
+      {"missing_region", l.missing_region, 1},
+      {"zeros", l.zeros, 1},
+      {"holes", l.holes, 1},
+      {"outlier", l.outlier, kAny},
+      {"extreme", l.extreme, kAny}};
   for (const auto& [field, limit, most] : all) {
     if (auto checked = check_limit(field, limit, most); !checked) return checked;
   }
@@ -158,6 +197,7 @@ void judge(const Limits& limits, Report& report) {
   Judgement judgement(limits, report);
   judgement.judge_values();
   judgement.judge_energy();
+  judgement.judge_table();
   judgement.judge_samples();
   report.passed = std::ranges::all_of(report.checks, &Check::passed);
 }

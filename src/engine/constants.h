@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bit>
+#include <cstdint>
 #include <type_traits>
 
 #include "gonio/engine/material.h"
@@ -69,6 +70,8 @@ Struct<float> to_float(const Struct<double>& from) {
 
 struct MeasuredConstants {
   const float* table;  // MeasuredTable::data()
+  // A bit a cell: whether a lookup from it meets a hole (HoleMap); null if none does.
+  const std::uint64_t* holes = nullptr;
 };
 
 }  // namespace gonio

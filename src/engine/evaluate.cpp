@@ -59,7 +59,7 @@ std::uint8_t evaluate_run(const Material::Impl& material, const Batch<In, Out>& 
   std::fill_n(out_scratch.flags, padded, std::uint8_t{0});
 
   const bool direct = n == padded && batch.values.pair_stride == 1;
-  KernelOutput<Out> out{out_scratch.values, padded, out_scratch.flags, false};
+  KernelOutput<Out> out{out_scratch.values, padded, out_scratch.flags, false, true};
   if (direct) {
     out.values = batch.values.data + begin;
     out.channel_stride = static_cast<std::size_t>(batch.values.channel_stride);

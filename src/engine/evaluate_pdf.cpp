@@ -31,7 +31,7 @@ std::uint8_t evaluate_all(const Sampler& sampler, const Batch<In, Out>& batch, O
     run.evaluate(in);
     for_flagged(scratch.flags, n, [&](std::size_t i) {
       any = static_cast<std::uint8_t>(any | scratch.flags[i]);
-      run.clear(i);
+      if ((scratch.flags[i] & ~flag::hole) != 0) run.clear(i);
     });
     copy_values(scratch.values, padded, sampler.material().channels(), n, table, batch.values,
                 begin);

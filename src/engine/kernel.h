@@ -23,13 +23,15 @@ struct KernelInput {
 };
 
 // Channel c of pair i goes to values[c * channel_stride + i]. Flags of bad pairs are written, those
-// of good ones are not touched. With `accumulate` the values are added to what is there.
+// of good ones are not touched. With `accumulate` the values are added to what is there. With
+// `tell_holes` pairs that met a hole of a table are flagged, too.
 template <class Out>
 struct KernelOutput {
   Out* values;
   std::size_t channel_stride;
   std::uint8_t* flags;
   bool accumulate;
+  bool tell_holes = false;
 };
 
 // A model's constants for all channels, as prepared by prepare.h, behind `constants`.

@@ -103,7 +103,11 @@ Material Material::from_table(std::shared_ptr<const MeasuredTable> table,
     MeasuredConstants constants;
     std::shared_ptr<const MeasuredTable> table;
   };
-  auto owner = std::make_shared<Owner>(Owner{{table->data()}, table});
+  const HoleMap& holes = table->holes();
+  const auto& bits = interpolation == Interpolation::linear ? holes.around : holes.cells;
+  impl->bytes += 2 * bits.size() * sizeof(std::uint64_t);
+  auto owner =
+      std::make_shared<Owner>(Owner{{table->data(), bits.empty() ? nullptr : bits.data()}, table});
   impl->table = std::move(table);
   const MeasuredConstants* constants = &owner->constants;
   impl->parts.push_back({interpolation == Interpolation::linear

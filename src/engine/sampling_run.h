@@ -67,7 +67,7 @@ class Run {
   // Values in scratch.values, channel by channel, `padded` apart, pdfs and flags.
   void evaluate(const KernelInput<In>& in) {
     std::fill_n(scratch_.flags, padded_, std::uint8_t{0});
-    lobes(in, scratch_.flags);
+    lobes(in, scratch_.flags, true);
     finish(in, 0, nullptr);
   }
 
@@ -76,12 +76,12 @@ class Run {
   // too, and not counted yet.
   Finished weigh(const KernelInput<In>& in, std::size_t n) {
     if (sampler_.measured == nullptr) {
-      lobes(in, nullptr);
+      lobes(in, nullptr, false);
       return finish(in, n, scratch_.flags);
     }
     alignas(kAlignment) std::uint8_t told[kRun];
     std::fill_n(told, padded_, std::uint8_t{0});
-    lobes(in, told);
+    lobes(in, told, false);
     const Finished finished = finish(in, n, scratch_.flags);
     for_flagged(told, n, [&](std::size_t i) {
       if (told[i] != flag::outside_data) return;
@@ -125,8 +125,8 @@ class Run {
   }
 
  private:
-  void lobes(const KernelInput<In>& in, std::uint8_t* flags) {
-    KernelOutput<Out> out{scratch_.values, padded_, flags, false};
+  void lobes(const KernelInput<In>& in, std::uint8_t* flags, bool tell_holes) {
+    KernelOutput<Out> out{scratch_.values, padded_, flags, false, tell_holes};
     DensityOutput<Out> density{scratch_.pdf, nullptr, false};
     std::size_t lobe = 0;
     for (const MaterialPart& part : material_.parts) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fit/certify.h"
+#include "fit/outliers.h"
 #include "fit/search.h"
 
 namespace gonio::fit {
@@ -63,6 +64,7 @@ Result<FitResult> fit(const Data& data, const MaterialSpec& spec, const Options&
   if (watch.stop && watch.stop())
     return Error{ErrorCode::cancelled, "the fit was cancelled", {}, {}, {}};
   FitResult result = certify(input, data, std::move(search));
+  judge_outliers(fitted, result.certificate);
   result.certificate.cpu_seconds = cpu_seconds() - begin;
   return result;
 }

@@ -114,12 +114,16 @@ Outcome read_plane(std::istream& in, const std::string& file, int channel,
   return Ok{};
 }
 
-// A cell that lacks one channel lacks all; returns how many do. Adding 0 makes -0 a plain 0.
-std::size_t mark_invalid(std::span<float> values) {
+// A cell that lacks one channel lacks all; returns how many do, and adds those of each channel.
+// Adding 0 makes -0 a plain 0.
+std::size_t mark_invalid(std::span<float> values,
+                         std::array<std::size_t, Table::kChannels>& in_channel) {
   std::size_t invalid = 0;
+  const auto is_missing = [](float v) { return std::isnan(v) || v < 0; };
   for (std::size_t i = 0; i < values.size(); i += Table::kChannels) {
     const auto cell = values.subspan(i, Table::kChannels);
-    if (std::ranges::any_of(cell, [](float v) { return std::isnan(v) || v < 0; })) {
+    if (std::ranges::any_of(cell, is_missing)) {
+      for (std::size_t c = 0; c < cell.size(); ++c) in_channel[c] += is_missing(cell[c]) ? 1 : 0;
       std::ranges::fill(cell, kInvalid);
       ++invalid;
     } else {
@@ -144,7 +148,7 @@ Result<std::shared_ptr<const MeasuredTable>> MeasuredTable::read_merl(std::istre
     return file_error(ErrorCode::data_loss, name, "bytes after the last cell",
                       std::to_string(kFileBytes) + " bytes");
   }
-  table->invalid_cells_ = mark_invalid(table->values_);
+  table->invalid_cells_ = mark_invalid(table->values_, table->invalid_in_);
   return std::shared_ptr<const MeasuredTable>(std::move(table));
 }
 
@@ -185,7 +189,7 @@ Result<std::shared_ptr<const MeasuredTable>> MeasuredTable::from_values(
   }
   auto table = std::make_shared<MeasuredTable>();
   table->values_.assign(values.begin(), values.end());
-  table->invalid_cells_ = mark_invalid(table->values_);
+  table->invalid_cells_ = mark_invalid(table->values_, table->invalid_in_);
   return std::shared_ptr<const MeasuredTable>(std::move(table));
 }
 

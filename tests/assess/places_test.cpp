@@ -120,8 +120,16 @@ TEST(Places, CriticalAngleIsThatOfTheMaterial) {
 }
 
 TEST(Places, RoundToFloat32) {
-  for (const Pair& p : assess::rounded(pairs_at("hemisphere", 10)))
-    EXPECT_EQ(p.wi[0], static_cast<double>(static_cast<float>(p.wi[0])));
+  for (const std::size_t size : {1, 2, 3, 5, 4001}) {
+    for (const Pair& p : assess::rounded(pairs_at("hemisphere", size))) {
+      for (const auto& w : {p.wi, p.wo}) {
+        for (const double x : w) {
+          const volatile float narrow = static_cast<float>(x);
+          ASSERT_EQ(x, static_cast<double>(narrow)) << size;
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

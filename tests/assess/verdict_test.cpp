@@ -6,7 +6,9 @@
 
 #include <chrono>
 
+#include "assess/accuracy.h"
 #include "assess/assessed.h"
+#include "assess/places.h"
 #include "effort.h"
 #include "gonio/measured/table.h"
 #include "models/analytic_models.h"
@@ -102,6 +104,21 @@ TEST(Assess, OfATable) {
   const auto report = report_of(subject_of(Material::from_table(*table, Interpolation::linear)));
   EXPECT_THAT(failed(report), IsEmpty());
   EXPECT_FALSE(report.places[0].naive32);
+}
+
+// Pairs are drawn one after the other: of every number of them none may be read as it was not
+// given.
+TEST(Assess, PassesWithAnyNumberOfPairs) {
+  const auto subject =
+      subject_of(material_of(alone("ggx", {{"alpha_x", number(0.1)}, {"alpha_y", number(0.3)}})));
+  for (const std::size_t pairs : {1, 2, 3, 5, 4001}) {
+    for (std::size_t place = 0; place < assess::places().size(); ++place) {
+      const auto report = assess::look_at(place, subject, pairs, 2, {});
+      if (!report) continue;
+      EXPECT_EQ(report->pairs, pairs);
+      EXPECT_LE(report->fast.worst.error, subject.fast.relative) << report->name << " " << pairs;
+    }
+  }
 }
 
 TEST(Assess, LimitsAreTheCallers) {

@@ -151,6 +151,25 @@ TEST_F(ClientTest, BatchesOfOneChangeNoBit) {
   }
 }
 
+TEST_F(ClientTest, BatchesOfEverySizeChangeNoBit) {
+  const RandomPairs<float> pairs(4010);
+  const auto expected = evaluate<float, float>(connect("in-process"), ggx(), pairs, 3);
+  for (const std::size_t chunk : {3U, 1000U, 65536U}) {
+    ClientOptions options;
+    options.chunk_pairs = chunk;
+    const auto client = connect("unix", options);
+    for (const std::size_t size : {1U, 2U, 3U, 5U, 4001U}) {
+      std::vector<float> values(3 * size);
+      std::vector<std::uint8_t> flags(size);
+      const auto report = client.evaluate(ggx(), std::span(pairs.wi).first(3 * size),
+                                          std::span(pairs.wo).first(3 * size), values, flags);
+      ASSERT_TRUE(report.ok());
+      EXPECT_EQ(std::memcmp(values.data(), expected.values.data(), 12 * size), 0) << size;
+      EXPECT_TRUE(std::equal(flags.begin(), flags.end(), expected.flags.begin())) << size;
+    }
+  }
+}
+
 TEST_F(ClientTest, ReferencePrecisionInAllItsForms) {
   const RandomPairs<float> pairs(5000);
   RandomPairs<double> widened(0);

@@ -87,6 +87,24 @@ TEST_F(SampleTest, ARunIsAPartOfTheWhole) {
   EXPECT_TRUE(std::equal(run.wo.begin(), run.wo.end(), whole.wo.begin() + 750));
 }
 
+TEST_F(SampleTest, BatchesOfEverySizeChangeNoBit) {
+  const auto wi = directions<float>(4010);
+  SampleBatch<float> batch;
+  batch.wi = wi;
+  const auto whole = drawn(connect("in-process"), batch, 4010);
+  for (const std::size_t chunk : {3U, 1000U, 65536U}) {
+    const auto client = connect("unix", {.chunk_pairs = chunk});
+    for (const std::size_t size : {1U, 2U, 3U, 5U, 4001U}) {
+      batch.wi = std::span(wi).first(3 * size);
+      const auto part = drawn(client, batch, size);
+      EXPECT_TRUE(std::equal(part.pdf.begin(), part.pdf.end(), whole.pdf.begin())) << size;
+      EXPECT_TRUE(std::equal(part.wo.begin(), part.wo.end(), whole.wo.begin())) << size;
+      EXPECT_TRUE(std::equal(part.weights.begin(), part.weights.end(), whole.weights.begin()))
+          << size;
+    }
+  }
+}
+
 TEST_F(SampleTest, NumbersOfTheCallersOwn) {
   const auto wi = directions<float>(5);
   std::vector<float> xi(5 * 40 * 3);

@@ -85,7 +85,7 @@ TYPED_TEST(Lookup, NearestIsThatOfTheDatabasesReader) {
       ++compared;
       const float* want = table->data() + 3 * nearest_cell(at);
       const bool valid = !std::isnan(want[0]);
-      ASSERT_EQ(got.flags[i], valid ? 0 : flag::outside_data) << i;
+      ASSERT_EQ(got.flags[i] & ~flag::hole, valid ? 0 : flag::outside_data) << i;
       outside += valid ? 0 : 1;
       for (std::size_t c = 0; c < 3; ++c) {
         ASSERT_EQ(got.values[3 * i + c], valid ? static_cast<Out>(want[c]) : 0)
@@ -109,7 +109,7 @@ TYPED_TEST(Lookup, LinearIsTrilinearBetweenValidCells) {
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Interpolated want = interpolate(*table, position_of(pairs, i));
         if (want.weight > 0 && want.weight < 1e-3L) continue;  // rounding decides
-        ASSERT_EQ(got.flags[i], want.weight > 0 ? 0 : flag::outside_data) << i;
+        ASSERT_EQ(got.flags[i] & ~flag::hole, want.weight > 0 ? 0 : flag::outside_data) << i;
         outside += want.weight > 0 ? 0 : 1;
         for (std::size_t c = 0; c < 3; ++c) {
           const auto error = std::abs(static_cast<Real>(got.values[3 * i + c]) - want.value[c]);
@@ -137,7 +137,7 @@ TYPED_TEST(Lookup, InvalidCellsDoNotBleed) {
     const auto got = run<Out>(table, Interpolation::linear, pairs, isa);
     std::size_t known = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (got.flags[i] != 0) continue;
+      if ((got.flags[i] & ~flag::hole) != 0) continue;
       ++known;
       for (std::size_t c = 0; c < 3; ++c) {
         ASSERT_NEAR(static_cast<double>(got.values[3 * i + c]), static_cast<double>(0.7F),
@@ -253,7 +253,7 @@ TYPED_TEST(Lookup, AgreesOnRealMaterials) {
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Interpolated want = interpolate(*table, position_of(pairs, i));
         if (want.weight < 1e-3L) continue;
-        ASSERT_EQ(got.flags[i], 0);
+        ASSERT_EQ(got.flags[i] & ~flag::hole, 0);
         for (std::size_t c = 0; c < 3; ++c) {
           const auto error = std::abs(static_cast<Real>(got.values[3 * i + c]) - want.value[c]);
           ASSERT_TRUE(std::isfinite(got.values[3 * i + c]));

@@ -33,7 +33,7 @@ TEST(Encode, RequestIsAPlainMessage) {
 // Short arrays are copied beside the head, long ones are slices of their own.
 TEST(Encode, ArraysOfAnyLengthAreWrittenAsTheGeneratedCodeDoes) {
   std::mt19937 random(3);
-  for (const std::size_t count : {1, 85, 86, 5000}) {
+  for (const std::size_t count : {1, 2, 3, 5, 85, 86, 4001}) {
     const v1::EvaluateRequest request = request_with_pairs(count, random);
     const auto slice = [](const auto& numbers) {
       return grpc::Slice(numbers.data(), static_cast<std::size_t>(numbers.size()) * sizeof(float));

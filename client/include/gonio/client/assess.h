@@ -24,12 +24,19 @@ struct AssessLimits {
   // Relative errors of the precisions; if not given, the bounds that the material states.
   std::optional<double> error, reference_error;
   std::optional<double> reciprocity;   // if not given, twice the stated bound of Precision::fast
-  std::optional<double> gain;          // albedo above 1; 0.001
+  std::optional<double> gain;          // albedo above 1; 0.001, of a table up to 87 degrees
   std::optional<double> loss;          // albedo below 1; 1, which allows any
   std::optional<double> mass;          // |integral of the pdf + lost mass - 1|; 0.005
   std::optional<double> weight_error;  // of weight pdf; the stated bound and four roundings
-  std::optional<double> probability;   // the least of chi-square; 1e-6
-  std::optional<double> deviation;     // of albedos by samples, in standard errors; 5
+  // The least of chi-square; and AssessIncidence::deviation. If not given: such that a good
+  // material fails by chance in one of 1000 assessments.
+  std::optional<double> probability, deviation;
+  // Of a table's cells within 80 degrees: the share without a measurement, 0.1; the same in the
+  // worst range of an angle, 0.5; the share that holds 0, 0.5; the share of masked ones, far darker
+  // than what is on both sides of them, 0.001.
+  std::optional<double> missing, missing_region, zeros, holes;
+  // Of all its cells: times as bright as what is about them, 100; f cos cos in 1/sr, 100000.
+  std::optional<double> outlier, extreme;
 };
 
 struct AssessOptions {
@@ -45,11 +52,13 @@ struct AssessOptions {
 // least.
 struct AssessCheck {
   // "improper", "stray", "error_fast", "error_reference", "reciprocity", "energy_gain",
-  // "energy_loss", "pdf_mass", "weights", "sampled_albedo", "distribution"
+  // "energy_loss", "pdf_mass", "weights", "sampled_albedo", "distribution"; of a table "missing",
+  // "missing_region", "zeros", "holes", "outlier", "extreme", too
   std::string name;
   double value = 0, limit = 0;
   bool passed = false;
-  std::string where;  // of the worst: a place's name or an angle
+  std::string where;  // of the worst: a place's name, an angle, a cell
+  std::string note;   // what was not judged, and why
 };
 
 // A relative error and where it is.
@@ -87,6 +96,9 @@ struct AssessIncidence {
   double unsure = 0;                            // of the quadrature
   double probability = 0;                       // of the samples, by chi-square
   AssessWorst weight;                           // weight pdf against f cos(theta_o)
+  // Of each channel: how far `sampled` is off, with rare large weights cut, in standard errors that
+  // such weights widen: z or more has a probability of 2 exp(-z^2 / 2) or less.
+  std::vector<double> deviation;
 };
 
 struct Assessment {

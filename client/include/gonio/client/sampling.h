@@ -88,7 +88,10 @@ struct Albedos {
   std::vector<double> albedo;  // of each wi, all channels
   // Of each albedo. An upper estimate for Sequence::sobol: it takes the samples to be independent.
   std::vector<double> standard_error;
-  std::vector<double> lost;         // of each wi: the fraction of samples below the horizon
+  std::vector<double> lost;  // of each wi: the fraction of samples below the horizon
+  // Of each wi: the part of the hemisphere, weighed by cos(theta_o), whose values a table has not
+  // measured (flag::hole, flag::outside_data); 0 of other materials.
+  std::vector<double> holes;
   std::vector<std::uint8_t> flags;  // of each wi
 };
 

@@ -29,8 +29,8 @@ std::string_view name_of(Precision precision);  // "fast", "reference"
 std::string_view name_of(InstructionSet set);   // "auto", "baseline", "avx2", "avx512"
 std::optional<InstructionSet> instruction_set_of(std::string_view name);  // the inverse
 
-// Bits of a pair's flag byte. A flagged pair has the value 0 in every channel; 0 means nothing to
-// report.
+// Bits of a pair's flag byte. A flagged pair has the value 0 in every channel, unless its only flag
+// is `hole`; 0 means nothing to report.
 namespace flag {
 enum Bit : std::uint8_t {
   not_unit = 1,                 // a length differs from 1 by more than 1e-3
@@ -40,10 +40,11 @@ enum Bit : std::uint8_t {
   outgoing_below_horizon = 16,  // wo is at or below the horizon
   outside_data = 32,            // a measured material has no valid data there
   bad_number = 64,              // of a sample: a number to draw it by is outside [0, 1)
+  hole = 128,                   // part of the cells that the value is from hold no measurement
 };
 }  // namespace flag
 
-inline constexpr std::size_t kFlagBits = 7;
+inline constexpr std::size_t kFlagBits = 8;
 // What bit number `bit` (0 to kFlagBits - 1) means, in words: "not unit", ..., "outside the data",
 // ...
 std::string_view flag_meaning(std::size_t bit);
@@ -65,8 +66,10 @@ struct Report {
   InstructionSet instruction_set = InstructionSet::best;
   Precision precision = Precision::fast;
   ErrorBound error_bound;
-  std::uint64_t lost = 0;     // samples that fell to or below the horizon
-  std::uint64_t flagged = 0;  // pairs with any flag, lost samples too
+  std::uint64_t lost = 0;  // samples that fell to or below the horizon
+  // Pairs that have the value 0 for any flag, lost samples too; those that met a hole and keep
+  // their value are in `flagged_by` alone.
+  std::uint64_t flagged = 0;
   std::array<std::uint64_t, kFlagBits>
       flagged_by{};  // pairs with this bit; a pair may have several
   int retries = 0;   // times that a call, a stream or refused chunks were sent again after a pause

@@ -3,9 +3,9 @@
 // Frame: normal (0,0,1), tangents u = (1,0,0) and v = (0,1,0); wi points to the light and wo to the
 // viewer, both away from the surface. Values are f(wi, wo) in 1/sr, without a cosine. Directions
 // may be off unit length by 1e-3 and are corrected; what cannot be evaluated gets the value 0 in
-// every channel and a flag, and touches nothing else. Results depend on nothing but the pair, the
-// material, the precision and the instruction set: not on the batch it is in, nor on threads, tiles
-// or layout (bit for bit).
+// every channel and a flag, and touches nothing else (a flag `hole` alone leaves the value).
+// Results depend on nothing but the pair, the material, the precision and the instruction set: not
+// on the batch it is in, nor on threads, tiles or layout (bit for bit).
 #pragma once
 
 #include <cstddef>
@@ -28,6 +28,9 @@ inline constexpr std::uint8_t incident_below_horizon = 8;
 inline constexpr std::uint8_t outgoing_below_horizon = 16;
 inline constexpr std::uint8_t outside_data = 32;
 inline constexpr std::uint8_t bad_number = 64;  // of a sample: a number outside [0, 1)
+// A measured material's value is taken from cells of which some are holes (MeasuredTable::holes):
+// not measured, or masked. The value stands. Samples do not have it.
+inline constexpr std::uint8_t hole = 128;
 }  // namespace flag
 
 // A view of directions: component c of direction i is at c[i * stride].

@@ -7,10 +7,13 @@
 // Brand & McMillan 2003, "A Data-Driven Reflectance Model".
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +21,14 @@
 #include "gonio/base/result.h"
 
 namespace gonio {
+
+// The cells that hold no measurement where there could be one: a bit a cell, in the table's order.
+struct HoleMap {
+  std::size_t count = 0;
+  // Both empty if there are none. `around`: of each cell, whether it or one after it, along any of
+  // the axes, is one: what a lookup between eight cells meets from the first.
+  std::vector<std::uint64_t> cells, around;
+};
 
 class MeasuredTable {
  public:
@@ -43,6 +54,13 @@ class MeasuredTable {
   // [theta_h][theta_d][phi_d][channel].
   [[nodiscard]] const float* data() const { return values_.data(); }
   [[nodiscard]] std::size_t invalid_cells() const { return invalid_cells_; }
+  // Of these, those that lack the channel.
+  [[nodiscard]] std::size_t invalid_cells(int channel) const {
+    return invalid_in_[static_cast<std::size_t>(channel)];
+  }
+  // Cells above the horizon that are invalid, or far darker than what is on both sides of them
+  // (measured/holes.h). Searched for when first asked for (some 50 ms).
+  [[nodiscard]] const HoleMap& holes() const;
 
  private:
   static Result<std::shared_ptr<const MeasuredTable>> read_merl(std::istream& in, std::size_t bytes,
@@ -50,6 +68,9 @@ class MeasuredTable {
 
   std::vector<float> values_;
   std::size_t invalid_cells_ = 0;
+  std::array<std::size_t, kChannels> invalid_in_{};
+  mutable std::once_flag search_;
+  mutable HoleMap holes_;
 };
 
 }  // namespace gonio
