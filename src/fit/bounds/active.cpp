@@ -13,9 +13,10 @@ constexpr double kAtBound = 1e-9;
 
 class Fields {
  public:
+  // Beside data that are far above a bound even that is next to nothing: the upper one is named.
   void add(const std::string& field, bool lower, bool upper) {
     if (!lower && !upper) return;
-    std::string name = field + (lower ? " (lower)" : " (upper)");
+    std::string name = field + (upper ? " (upper)" : " (lower)");
     if (std::find(names_.begin(), names_.end(), name) == names_.end())
       names_.push_back(std::move(name));
   }

@@ -89,7 +89,7 @@ inline double searched(MaterialSpec spec, const std::vector<Number>& numbers,
         spec = std::move(next);
       }
     }
-    if (best > 0.999 * before) step /= 2;
+    if (best >= 0.999 * before) step /= 2;
   }
   return best;
 }

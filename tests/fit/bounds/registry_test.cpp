@@ -73,9 +73,7 @@ class Planted {
     const std::string name = name_of(form, number, upper);
     const MaterialSpec bound = with(ordinary, number, upper ? number.upper : number.lower);
     const fit::Data data = beyond(bound, with(ordinary, number, value_inside(number, upper)), at_);
-    fit::Options options;
-    options.starts = 3;
-    const auto result = fit::fit(data, form, options);
+    const auto result = fit::fit(data, form, {});
     ASSERT_TRUE(result.ok()) << name << ": " << result.error().message;
     ASSERT_TRUE(Material::create(result->material).ok()) << name;
     // L1's smoothing and the tolerances leave a part of the mean in two thousand.
