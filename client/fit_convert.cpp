@@ -42,7 +42,7 @@ FitStart start_of(const v1::FitStart& from) {
 
 FitParameter parameter_of(const v1::FitParameter& from) {
   return {from.field(),    from.channel(), from.value(), from.standard_error(),
-          from.at_bound(), from.lower(),   from.upper()};
+          from.at_bound(), from.lower(),   from.upper(), from.undetermined()};
 }
 
 FitIndistinct indistinct_of(const v1::FitIndistinct& from) {

@@ -12,7 +12,8 @@ namespace {
 Error within_request(Error error) {
   const bool of_form =
       error.code == ErrorCode::invalid_argument || error.code == ErrorCode::not_found;
-  if (!of_form || error.field.rfind("options.", 0) == 0) return error;
+  const bool of_data = error.field == "values";
+  if (!of_form || of_data || error.field.rfind("options.", 0) == 0) return error;
   if (error.field == "material") error.field.clear();
   const std::string field = error.field.empty() ? "form" : "form." + error.field;
   if (!error.field.empty() && error.message.rfind(error.field, 0) == 0)

@@ -69,6 +69,7 @@ void fill(const fit::ParameterReport& from, v1::FitParameter& to) {
   to.set_at_bound(from.at_bound);
   to.set_lower(from.lower);
   to.set_upper(from.upper);
+  to.set_undetermined(!from.determined);
 }
 
 void fill(const fit::Indistinct& from, v1::FitIndistinct& to) {

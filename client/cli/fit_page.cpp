@@ -58,8 +58,9 @@ std::string parameters_of(const FitCertificate& certificate) {
                      head({"parameter", "channel", "value", "standard error", "95 % interval"});
   for (const auto& parameter : certificate.parameters) {
     const std::string channel = parameter.channel < 0 ? "all" : std::to_string(parameter.channel);
-    const std::string error =
-        parameter.at_bound ? "at its bound" : number(parameter.standard_error, "%.2g");
+    const std::string error = parameter.at_bound       ? "at its bound"
+                              : parameter.undetermined ? "not determined"
+                                                       : number(parameter.standard_error, "%.2g");
     const std::string interval =
         parameter.at_bound ? "-" : number(parameter.lower) + " to " + number(parameter.upper);
     text += row(

@@ -35,6 +35,7 @@ std::string short_field(std::string field) {
 std::string uncertain(const client::FitParameter& parameter) {
   const std::string text = number(parameter.value, "%.4g");
   if (parameter.at_bound) return text + " (at its bound)";
+  if (parameter.undetermined) return text + " (not determined)";
   return text + " +- " + number(parameter.standard_error, "%.2g");
 }
 

@@ -8,8 +8,6 @@
 namespace gonio::fit {
 namespace {
 
-using Columns = FormLobe::Columns;
-
 // Where a lobe's height is measured: wi = wo = n.
 Data straight_up() {
   Data data;
@@ -23,12 +21,13 @@ bool is_diffuse(const FormLobe& lobe) {
   return lobe.columns == Columns::diffuse || lobe.columns == Columns::quadratic_diffuse;
 }
 
-// From a parabola's values at 1/2 and 1 (and 0 at 0) to its two coefficients.
-void to_parabola(double* at_half, double* at_one, std::size_t count) {
+// From a parabola's values at 1/2 and 1 (and 0 at 0) to its two coefficients; that of the square
+// of a number that is divided by `unit`.
+void to_parabola(double* at_half, double* at_one, std::size_t count, double unit) {
   for (std::size_t i = 0; i < count; ++i) {
     const double half = at_half[i], one = at_one[i];
     at_half[i] = 4 * half - one;
-    at_one[i] = 2 * (one - 2 * half);
+    at_one[i] = 2 * (one - 2 * half) * unit;
   }
 }
 
@@ -127,7 +126,7 @@ void BasisAt::evaluate(const Data& data, std::size_t first, std::size_t count, B
     evaluate_lobe(lobe, batch, to);
     const FormLobe& form = form_.lobes[lobe];
     if (form.columns == Columns::quadratic_diffuse) {
-      const auto parabola = [&](double* at) { to_parabola(at, at + to.stride, count); };
+      const auto parabola = [&](double* at) { to_parabola(at, at + to.stride, count, form_.unit); };
       parabola(&to.values[form.first_column * to.stride]);
       for (const ByShape& shape : lobes_[lobe].shapes)
         parabola(&to.derivatives[(shape.shape * form_.columns + form.first_column) * to.stride]);

@@ -34,6 +34,10 @@ class BasisAt {
 
   // The value by which each column is divided: its lobe's first column where wi = wo = n.
   [[nodiscard]] const std::vector<double>& peaks() const { return peaks_; }
+  // d log(peak) / du; only with derivatives.
+  [[nodiscard]] double peak_slope(std::size_t shape, std::size_t column) const {
+    return peak_slopes_[shape * form_.columns + column];
+  }
 
  private:
   struct ByShape {
@@ -57,8 +61,8 @@ class BasisAt {
 };
 
 // The parameters (shapes in search scale, then each channel's coefficients) as a material.
-// `clamped` gets the fields of numbers that had to be moved into the bounds of the models' tables.
+// `exact`: colours as they follow; else what rounding takes beyond a model's table is moved back.
 MaterialSpec to_material(const Form& form, std::span<const double> parameters, int channels,
-                         std::vector<std::string>* clamped = nullptr);
+                         bool exact = false);
 
 }  // namespace gonio::fit

@@ -29,11 +29,7 @@ void add_uncertainty(const SearchInput& input, std::span<const double> parameter
   report.gradient_norm = found.gradient_norm;
   report.parameters = std::move(found.parameters);
   report.indistinct = std::move(found.indistinct);
-  for (std::string& field : found.active_bounds) {
-    if (std::find(report.active_bounds.begin(), report.active_bounds.end(), field) ==
-        report.active_bounds.end())
-      report.active_bounds.push_back(std::move(field));
-  }
+  report.active_bounds = std::move(found.active_bounds);
 }
 
 void add_errors(const Material& material, const Data& data, Certificate& report) {
@@ -71,8 +67,7 @@ FitResult certify(const SearchInput& input, const Data& data, Search search) {
   report.starts = std::move(search.starts);
   report.agreeing = static_cast<std::size_t>(std::count_if(
       report.starts.begin(), report.starts.end(), [](const Start& s) { return s.agrees; }));
-  result.material =
-      to_material(input.form, search.parameters, data.channels, &report.active_bounds);
+  result.material = to_material(input.form, search.parameters, data.channels);
   const auto material = Material::create(result.material);
   assert(material.ok());  // its numbers are clamped to the tables' bounds
   add_uncertainty(input, search.parameters, report);

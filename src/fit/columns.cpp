@@ -3,9 +3,7 @@
 namespace gonio::fit {
 namespace {
 
-bool is_quadratic(const FormLobe& lobe) {
-  return lobe.columns == FormLobe::Columns::quadratic_diffuse;
-}
+bool is_quadratic(const FormLobe& lobe) { return lobe.columns == Columns::quadratic_diffuse; }
 
 }  // namespace
 

@@ -1,8 +1,11 @@
 #include "fit/data.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
+
+#include "fit/unit.h"
 
 namespace gonio::fit {
 namespace {
@@ -84,6 +87,7 @@ Result<Data> from_pairs(std::span<const double> wi, std::span<const double> wo,
   const std::size_t pairs = wi.size() / 3;
   const auto count = static_cast<std::size_t>(channels);
   const double equal = kAllPairs / static_cast<double>(pairs);
+  double largest = 0;
   Data data;
   data.channels = channels;
   std::vector<std::size_t> kept;
@@ -95,7 +99,9 @@ Result<Data> from_pairs(std::span<const double> wi, std::span<const double> wo,
     push(data.wo, out);
     data.weights.push_back(static_cast<float>(weight));
     kept.push_back(i);
+    for (const double value : values.subspan(i * count, count)) largest = std::max(largest, value);
   }
+  if (auto ok = check_size(largest); !ok) return ok.error();
   for (std::size_t c = 0; c < count; ++c) {
     for (const std::size_t i : kept)
       data.values.push_back(static_cast<float>(values[i * count + c]));

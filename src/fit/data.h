@@ -53,8 +53,9 @@ struct Data {
 };
 
 // Arrays of pairs: interleaved xyz, values pair by pair ([pair][channel]). Without `weights` every
-// pair weighs the same, 4 pi^2 / pairs. Errors: invalid_argument for lengths that do not agree, or
-// a number of channels outside 1 to 64. Bad entries are no error: they are left out and counted.
+// pair weighs the same, 4 pi^2 / pairs. Errors: invalid_argument for lengths that do not agree, a
+// number of channels outside 1 to 64, or values so small that float32 has not all their digits. Bad
+// entries are no error: they are left out and counted.
 Result<Data> from_pairs(std::span<const double> wi, std::span<const double> wo,
                         std::span<const double> values, int channels,
                         std::span<const double> weights = {});

@@ -37,9 +37,21 @@ Compressed compress(const Eigen::MatrixXd& H, const Eigen::VectorXd& g) {
 
 }  // namespace
 
-EquationsBlock::EquationsBlock(const Problem& problem, std::span<const double> start,
-                               Equations begin, std::vector<std::size_t> free, const Stop& stop)
+Equations equations_at(const Problem& problem, const Coordinates& coordinates,
+                       std::span<const double> at, const Stop& stop) {
+  Equations e = problem.equations(coordinates.to_parameters(at), stop);
+  if (coordinates.plain()) return e;
+  const Eigen::MatrixXd slopes = coordinates.slopes(at);
+  e.gradient = slopes.transpose() * e.gradient;
+  e.matrix = slopes.transpose() * e.matrix * slopes;
+  return e;
+}
+
+EquationsBlock::EquationsBlock(const Problem& problem, const Coordinates& coordinates,
+                               std::span<const double> start, Equations begin,
+                               std::vector<std::size_t> free, const Stop& stop)
     : problem_(problem),
+      coordinates_(coordinates),
       all_(start.begin(), start.end()),
       last_(all_),
       equations_(std::move(begin)),
@@ -56,11 +68,12 @@ bool EquationsBlock::Evaluate(double const* const* parameters, double* residuals
   Eigen::Map<Eigen::VectorXd> r(residuals, n + 1);
   r.setZero();
   if (jacobians == nullptr || jacobians[0] == nullptr) {
-    if (all_ != tried_) cost_ = problem_.cost(all_, false, stop_), tried_ = all_;
+    if (all_ != tried_)
+      cost_ = problem_.cost(coordinates_.to_parameters(all_), false, stop_), tried_ = all_;
     r[n] = std::sqrt(2 * cost_);
     return std::isfinite(cost_);
   }
-  if (all_ != last_) equations_ = problem_.equations(all_, stop_), last_ = all_;
+  if (all_ != last_) equations_ = equations_at(problem_, coordinates_, all_, stop_), last_ = all_;
   const Equations& e = equations_;
   cost_ = e.cost, tried_ = all_;
   if (!std::isfinite(e.cost) || !e.matrix.allFinite()) return false;

@@ -11,21 +11,28 @@
 #include <span>
 #include <vector>
 
+#include "fit/bounds/coordinates.h"
 #include "fit/problem.h"
 
 namespace gonio::fit {
 
-// Over the parameters `free`, the others as in `start`.
+// The equations at `at`, by these coordinates.
+Equations equations_at(const Problem& problem, const Coordinates& coordinates,
+                       std::span<const double> at, const Stop& stop);
+
+// Over the coordinates `free`, the others as in `start`.
 class EquationsBlock : public ceres::CostFunction {
  public:
-  // `begin`: the equations at `start`. Problem and stop must outlive this.
-  EquationsBlock(const Problem& problem, std::span<const double> start, Equations begin,
-                 std::vector<std::size_t> free, const Stop& stop);
+  // `begin`: the equations at `start`. Problem, coordinates and stop must outlive this.
+  EquationsBlock(const Problem& problem, const Coordinates& coordinates,
+                 std::span<const double> start, Equations begin, std::vector<std::size_t> free,
+                 const Stop& stop);
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override;
 
  private:
   const Problem& problem_;
+  const Coordinates& coordinates_;
   mutable std::vector<double> all_, last_, tried_;
   mutable Equations equations_;  // at last_
   mutable double cost_ = 0;      // at tried_

@@ -8,6 +8,7 @@
 #include "fit/certify.h"
 #include "fit/outliers.h"
 #include "fit/search.h"
+#include "fit/unit.h"
 
 namespace gonio::fit {
 namespace {
@@ -51,11 +52,15 @@ Result<FitResult> fit(const Data& data, const MaterialSpec& spec, const Options&
                       const Watch& watch) {
   const double begin = cpu_seconds();
   if (auto ok = check(options); !ok) return ok.error();
-  const auto form = make_form(spec, {options.anisotropic});
+  auto form = make_form(spec, {options.anisotropic});
   if (!form) return form.error();
+  if (auto ok = check_size(data); !ok) return ok.error();
   const bool whole = options.min_theta <= 0 && options.max_theta >= kRightAngle;
   const Data zone = whole ? Data{} : within(data, options.min_theta, options.max_theta);
-  const Data& fitted = whole ? data : zone;
+  const Data& chosen = whole ? data : zone;
+  form->unit = unit_of(chosen, options.cosine);
+  const Data scaled = form->unit == 1 ? Data{} : in_unit(chosen, form->unit);
+  const Data& fitted = form->unit == 1 ? chosen : scaled;
   const Loss loss{options.objective, 0, threshold_of(fitted, options)};
   const SearchInput input{*form, fitted, options, watch, loss};
   if (fitted.size() == 0) return nothing_to_fit(data, options);

@@ -1,7 +1,6 @@
 #include "fit/form.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -9,8 +8,6 @@
 
 namespace gonio::fit {
 namespace {
-
-using Columns = FormLobe::Columns;
 
 // What a channel's coefficients stand for: all other numbers are shapes, shared by the channels.
 constexpr std::array<std::string_view, 4> kColours{"rd", "rs", "f0", "scale"};
@@ -128,6 +125,7 @@ void add_lobe(const NamedLobe& named, const CheckedLobe& checked, const FormOpti
   lobe.words.model = named.spec->model;
   for (const auto& [name, word] : words) lobe.words.parameters[name] = word;
   lobe.columns = columns_of(checked, words);
+  lobe.bounds = colour_bounds(lobe.columns, checked.model->parameters);
   lobe.prefix = named.prefix;
   lobe.alone = named.prefix.empty();
   const Counts counts = counts_of(lobe.columns, lobe.alone);
@@ -137,15 +135,28 @@ void add_lobe(const NamedLobe& named, const CheckedLobe& checked, const FormOpti
   lobe.coefficient_count = counts.coefficients;
   form.columns += counts.columns;
   form.coefficients += counts.coefficients;
-  const bool diffuse = checked.model->role == Role::diffuse;
-  form.coefficient_upper.resize(form.coefficients,
-                                diffuse ? 1 : std::numeric_limits<double>::infinity());
-  if (lobe.columns == Columns::ashikhmin_shirley && lobe.alone) form.coefficient_upper.back() = 1;
   form.lobes.push_back(std::move(lobe));
   add_shapes(named, checked, words, options, form);
 }
 
 }  // namespace
+
+ColourBounds Form::bounds_of(const FormLobe& lobe) const {
+  ColourBounds bounds = lobe.bounds;
+  for (Colour* colour : {&bounds.lower, &bounds.upper}) {
+    colour->scale /= unit;
+    colour->diffuse /= unit;
+  }
+  return bounds;
+}
+
+Colour colour_at(const FormLobe& lobe, std::span<const double> coefficients,
+                 std::span<const double> peaks) {
+  std::array<double, 3> relative{};
+  for (std::size_t k = 0; k < lobe.coefficient_count; ++k)
+    relative[k] = coefficients[k] / peaks[lobe.first_column + k];
+  return colour_of(lobe.columns, std::span(relative).first(lobe.coefficient_count));
+}
 
 void set_shapes(const Form& form, std::size_t lobe, std::span<const double> shapes, LobeSpec& to) {
   for (std::size_t i = 0; i < form.shapes.size(); ++i) {

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/bounds/colour.h"
 #include "fit/shape.h"
 #include "gonio/base/result.h"
 #include "gonio/engine/material.h"
@@ -23,17 +24,9 @@
 namespace gonio::fit {
 
 struct FormLobe {
-  // Where its coefficients come from and go to.
-  enum class Columns {
-    diffuse,
-    quadratic_diffuse,
-    scaled,
-    reflectance,
-    schlick,
-    ashikhmin_shirley
-  };
   LobeSpec words;  // the model and its words, no numbers
   Columns columns = Columns::scaled;
+  ColourBounds bounds;  // of the model's table
   std::size_t first_column = 0, column_count = 1;
   std::size_t first_coefficient = 0, coefficient_count = 1;
   std::string prefix;  // "diffuse.", "specular[0].", "" for a model alone
@@ -44,11 +37,14 @@ struct Form {
   std::vector<FormLobe> lobes;
   std::vector<ShapeParameter> shapes;
   std::size_t columns = 0, coefficients = 0;  // of a channel
-  std::vector<double> coefficient_upper;      // 1 for a diffuse colour, else infinity
+  // What measured values, f and coefficients are divided by while the fit works (unit.h).
+  double unit = 1;
 
   [[nodiscard]] std::size_t parameters(int channels) const {
     return shapes.size() + coefficients * static_cast<std::size_t>(channels);
   }
+  // In the form's unit.
+  [[nodiscard]] ColourBounds bounds_of(const FormLobe& lobe) const;
 };
 
 struct FormOptions {
@@ -65,5 +61,10 @@ void set_shapes(const Form& form, std::size_t lobe, std::span<const double> shap
 
 // One lobe with the given shapes (search scale) as the columns want it: a "channel" a column.
 LobeSpec column_lobe(const Form& form, std::size_t lobe, std::span<const double> shapes);
+
+// A lobe's colour in the form's unit from its coefficients in one channel. `peaks`: what each
+// column is divided by (basis.h).
+Colour colour_at(const FormLobe& lobe, std::span<const double> coefficients,
+                 std::span<const double> peaks);
 
 }  // namespace gonio::fit

@@ -11,8 +11,7 @@ namespace {
 
 // In a sum a lobe's own diffuse term is held at 0, and no result.
 bool is_held(const FormLobe& lobe, const Parameter& p) {
-  return lobe.columns == FormLobe::Columns::ashikhmin_shirley && lobe.coefficient_count < 3 &&
-         p.name == "rd";
+  return lobe.columns == Columns::ashikhmin_shirley && lobe.coefficient_count < 3 && p.name == "rd";
 }
 
 void append_numbers(const FormLobe& lobe, const LobeSpec& spec, int channels,
@@ -32,8 +31,8 @@ void append_numbers(const FormLobe& lobe, const LobeSpec& spec, int channels,
 }  // namespace
 
 std::vector<MaterialNumber> numbers_of(const Form& form, std::span<const double> parameters,
-                                       int channels) {
-  const MaterialSpec spec = to_material(form, parameters, channels);
+                                       int channels, bool exact) {
+  const MaterialSpec spec = to_material(form, parameters, channels, exact);
   std::vector<MaterialNumber> numbers;
   std::size_t specular = 0;
   for (const FormLobe& lobe : form.lobes) {
@@ -53,9 +52,9 @@ Eigen::MatrixXd slopes_of(const Form& form, std::span<const double> parameters, 
   for (std::size_t j = 0; j < x.size(); ++j) {
     const double step = 1e-5 * std::max(std::abs(x[j]), 1e-3);
     x[j] = parameters[j] + step;
-    const auto above = numbers_of(form, x, channels);
+    const auto above = numbers_of(form, x, channels, true);
     x[j] = parameters[j] - step;
-    const auto below = numbers_of(form, x, channels);
+    const auto below = numbers_of(form, x, channels, true);
     x[j] = parameters[j];
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       J(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =

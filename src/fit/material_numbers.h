@@ -20,9 +20,9 @@ struct MaterialNumber {
 };
 
 // In the order of the material's lobes and their tables; words and colours that the fit does not
-// touch are left out.
+// touch are left out. `exact` as to_material() has it.
 std::vector<MaterialNumber> numbers_of(const Form& form, std::span<const double> parameters,
-                                       int channels);
+                                       int channels, bool exact = false);
 
 // What these numbers change by with the fit's parameters: a row a number, by central differences.
 Eigen::MatrixXd slopes_of(const Form& form, std::span<const double> parameters, int channels,

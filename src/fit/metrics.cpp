@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fit/arrays.h"
+#include "fit/unit.h"
 #include "fit/worst_places.h"
 #include "gonio/engine/evaluate.h"
 #include "gonio/engine/isa.h"
@@ -20,13 +21,19 @@ Eigen::ArrayXd part(std::span<const float> all, std::size_t first, Eigen::Index 
   return Eigen::Map<const Eigen::ArrayXf>(&all[first], count).cast<double>();
 }
 
-// The terms of a run of pairs in one channel.
+// The root of a unit in which cube roots are taken: array_kernels.h has none of less than 1.6e-30.
+double root_of_unit(const Data& data) {
+  return std::exp2(std::round(std::log2(unit_of(data, true)) / 3));
+}
+
+// The terms of a run of pairs in one channel; `root`: that of the unit of cube roots.
 struct Terms {
-  Terms(const Eigen::ArrayXd& f, const Eigen::ArrayXd& m)
+  Terms(const Eigen::ArrayXd& f, const Eigen::ArrayXd& m, double root)
       : measured(m),
         absolute((f - m).abs()),
         log((log_1p(f) - log_1p(m)).abs()),
-        cbrt((cube_root(f) - cube_root(m)).square()) {}
+        cbrt((cube_root(f * (1 / (root * root * root))) - cube_root(m * (1 / (root * root * root))))
+                 .square()) {}
   const Eigen::ArrayXd& measured;
   Eigen::ArrayXd absolute, log, cbrt;
 };
@@ -53,11 +60,11 @@ struct Sums {
     cbrt += other.cbrt;
     pairs += other.pairs;
   }
-  [[nodiscard]] Errors errors() const {
+  [[nodiscard]] Errors errors(double root) const {
     if (pairs == 0) return {};
     const double unit = measured > 0 ? measured : weight;
-    return {absolute / unit, std::sqrt(squared / weight), log / weight, std::sqrt(cbrt / weight),
-            pairs};
+    return {absolute / unit, std::sqrt(squared / weight), log / weight,
+            root * std::sqrt(cbrt / weight), pairs};
   }
 };
 
@@ -93,7 +100,8 @@ std::array<double, 3> direction(const std::array<std::vector<float>, 3>& w, std:
 // What a material's values on the runs of the data come to.
 class Tally {
  public:
-  Tally(const Data& data, std::size_t worst) : data_(data), places_(worst) {}
+  Tally(const Data& data, std::size_t worst)
+      : data_(data), root_(root_of_unit(data)), places_(worst) {}
 
   // `values`: of the pairs from `first` on, channel by channel, kRun apart.
   void add_run(std::size_t first, std::size_t count, const std::vector<double>& values) {
@@ -112,7 +120,7 @@ class Tally {
     all.add(above_);
     for (Region* region : {&regions_.mirror, &regions_.toward_light, &regions_.elsewhere})
       divide(*region, all.measured > 0 ? all.measured : 1);
-    return {{all.errors(), below_.errors(), above_.errors()},
+    return {{all.errors(root_), below_.errors(root_), above_.errors(root_)},
             regions_,
             std::move(places_).places(all.absolute)};
   }
@@ -137,7 +145,7 @@ class Tally {
     const Eigen::ArrayXd m = part(data_.channel(c), run.first, f.size());
     const Eigen::ArrayXd m_cosine = m * run.cosine;
     const Eigen::ArrayXd f_cosine = f * run.cosine;
-    const Terms terms(f_cosine, m_cosine);
+    const Terms terms(f_cosine, m_cosine, root_);
     const RegionMasks& masks = run.masks;
     add(regions_.mirror, run.w * masks.mirror, f_cosine, terms);
     add(regions_.toward_light, run.w * masks.light, f_cosine, terms);
@@ -151,6 +159,7 @@ class Tally {
   }
 
   const Data& data_;
+  double root_;
   Sums below_, above_;
   Regions regions_;
   WorstPlaces places_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/bounds/coordinates.h"
 #include "fit/equations_block.h"
 
 namespace gonio::fit {
@@ -37,27 +38,8 @@ ceres::Solver::Options solver_options(const MinimiseOptions& options) {
   return solver;
 }
 
-}  // namespace
-
-Bounds bounds_of(const Form& form, int channels) {
-  Bounds bounds;
-  for (const ShapeParameter& shape : form.shapes) {
-    bounds.lower.push_back(shape.scale.to_search(shape.lower));
-    bounds.upper.push_back(shape.scale.to_search(shape.upper));
-  }
-  for (int c = 0; c < channels; ++c) {
-    for (const double upper : form.coefficient_upper) {
-      bounds.lower.push_back(0);
-      bounds.upper.push_back(upper);
-    }
-  }
-  return bounds;
-}
-
-namespace {
-
-// Which parameters move: not those that a bound holds at `x`, where the gradient is `slope`. A step
-// over all that is cut there would be short and askew for the others.
+// Which coordinates move: not those that a bound holds at `x`, where the gradient is `slope`. A
+// step over all that is cut there would be short and askew for the others.
 std::vector<std::size_t> moving(std::span<const double> x, const Eigen::VectorXd& slope,
                                 const Bounds& bounds, const std::vector<bool>& free) {
   std::vector<std::size_t> moves;
@@ -70,21 +52,21 @@ std::vector<std::size_t> moving(std::span<const double> x, const Eigen::VectorXd
   return moves;
 }
 
-Minimum minimise(const Problem& problem, std::span<const double> start,
-                 const MinimiseOptions& options) {
+// From a start inside the bounds; only those of the coordinates hold.
+Minimum descend(const Problem& problem, const Coordinates& coordinates,
+                std::span<const double> start, const MinimiseOptions& options) {
   Minimum result{{start.begin(), start.end()}, 0, 0, true};
-  const Bounds bounds = bounds_of(problem.form(), problem.data().channels);
-  for (std::size_t i = 0; i < start.size(); ++i)
-    result.parameters[i] = std::clamp(start[i], bounds.lower[i], bounds.upper[i]);
-  Equations begin = problem.equations(result.parameters, options.stop);
+  std::vector<double> all = coordinates.from_parameters(start);
+  const Bounds bounds = coordinates.bounds();
+  Equations begin = equations_at(problem, coordinates, all, options.stop);
   result.cost = begin.cost;
-  const auto free = moving(result.parameters, begin.gradient, bounds, options.free);
+  const auto free = moving(all, begin.gradient, bounds, options.free);
   if (free.empty()) return result;
   std::vector<double> x;
-  for (const std::size_t i : free) x.push_back(result.parameters[i]);
+  for (const std::size_t i : free) x.push_back(all[i]);
   ceres::Problem ceres_problem;
   ceres_problem.AddResidualBlock(
-      new EquationsBlock(problem, result.parameters, std::move(begin), free, options.stop), nullptr,
+      new EquationsBlock(problem, coordinates, all, std::move(begin), free, options.stop), nullptr,
       x.data());
   for (std::size_t i = 0; i < free.size(); ++i) {
     const int at = static_cast<int>(i);
@@ -97,11 +79,30 @@ Minimum minimise(const Problem& problem, std::span<const double> start,
   solver.callbacks.push_back(&callback);
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &ceres_problem, &summary);
-  for (std::size_t i = 0; i < free.size(); ++i) result.parameters[free[i]] = x[i];
+  for (std::size_t i = 0; i < free.size(); ++i) all[free[i]] = x[i];
+  result.parameters = coordinates.to_parameters(all);
   result.cost = summary.final_cost;
   result.iterations = static_cast<int>(summary.iterations.size());
   result.converged = summary.termination_type == ceres::CONVERGENCE;
   return result;
+}
+
+// A descent that ends beyond a bound starts again by coordinates that have it.
+Minimum minimise(const Problem& problem, std::span<const double> from,
+                 const MinimiseOptions& options) {
+  // Of a bound: a start so near to it has met it.
+  constexpr double kNear = 0.999;
+  const int channels = problem.data().channels;
+  const std::vector<double> start = within_bounds(problem.form(), from, channels);
+  Coordinates coordinates(problem.form(), channels);
+  coordinates.follow(start, kNear);
+  int iterations = 0;
+  for (;;) {
+    Minimum end = descend(problem, coordinates, start, options);
+    end.iterations += iterations;
+    if (!coordinates.follow(end.parameters, 1)) return end;
+    iterations = end.iterations;
+  }
 }
 
 }  // namespace

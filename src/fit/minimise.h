@@ -1,6 +1,7 @@
 // Levenberg and Marquardt's minimisation within bounds, by Ceres.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -25,14 +26,8 @@ struct Minimum {
   bool converged = false;
 };
 
-// The bounds of all parameters of a problem: shapes in search scale, then coefficients.
-struct Bounds {
-  std::vector<double> lower, upper;
-};
-Bounds bounds_of(const Form& form, int channels);
-
-// From `start`, brought within the bounds. L1 by stages: the smoothing is each of these parts of
-// the mean residual in turn. Other losses take one stage.
+// From `start`, brought within the bounds of the models' tables; it ends within them. L1 by stages:
+// the smoothing is each of these parts of the mean residual in turn. Other losses take one stage.
 Minimum minimise_by_stages(Problem& problem, std::span<const double> start,
                            std::span<const double> smooth_parts, const MinimiseOptions& options);
 

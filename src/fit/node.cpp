@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "fit/arrays.h"
-#include "fit/linear.h"
+#include "fit/bounds/coefficient_bounds.h"
 
 namespace gonio::fit {
 namespace {
@@ -27,15 +27,14 @@ class Channel {
   }
 
   // The coefficients after `passes` solutions; `cost` gets what is added to the objective.
-  Eigen::VectorXd solve(int passes, double& cost) {
-    const auto& form = problem_.form();
+  Eigen::VectorXd solve(const CoefficientBounds& bounds, int passes, double& cost) {
     measured_ = Eigen::Map<const Eigen::ArrayXf>(values_.data(), n_).cast<double>() * cosine_;
     // A first guess between squares and their reverse: large values count, but do not rule.
     const double mean = (weight_ * measured_).sum() / weight_.sum();
     work_ = weight_ / (measured_ + (mean > 0 ? mean : 1));
     Eigen::VectorXd x;
     for (int pass = 0;; ++pass) {
-      x = solve_squares(form.coefficient_upper);
+      x = solve_squares(bounds);
       if (quadratic()) set_columns(x[0]);
       predicted_ = columns_.col(0) * x[0];
       for (Eigen::Index k = 1; k < x.size(); ++k) predicted_ += columns_.col(k) * x[k];
@@ -49,7 +48,7 @@ class Channel {
 
  private:
   [[nodiscard]] bool quadratic() const {
-    return problem_.form().lobes.front().columns == FormLobe::Columns::quadratic_diffuse;
+    return problem_.form().lobes.front().columns == Columns::quadratic_diffuse;
   }
 
   // The columns times the cosine; of a quadratic one, as if linear in a coefficient near `x`.
@@ -63,14 +62,14 @@ class Channel {
       for (std::size_t k = 0; k < lobe.coefficient_count; ++k) {
         auto to = columns_.col(static_cast<Eigen::Index>(lobe.first_coefficient + k));
         to = column(lobe.first_column + k) * cosine_;
-        if (lobe.columns == FormLobe::Columns::quadratic_diffuse)
+        if (lobe.columns == Columns::quadratic_diffuse)
           to += x * column(lobe.first_column + 1) * cosine_;
       }
     }
   }
 
   // Few long columns: products of one with one beat a general product, which would pack them first.
-  Eigen::VectorXd solve_squares(std::span<const double> upper) {
+  Eigen::VectorXd solve_squares(const CoefficientBounds& bounds) {
     const Eigen::Index n = columns_.cols();
     Eigen::MatrixXd square(n, n);
     Eigen::VectorXd right(n);
@@ -80,7 +79,7 @@ class Channel {
       for (Eigen::Index j = 0; j <= i; ++j)
         square(i, j) = square(j, i) = weighted_.matrix().dot(columns_.col(j).matrix());
     }
-    return solve_bounded(square, right, upper);
+    return bounds.minimise(square, right);
   }
 
   [[nodiscard]] Eigen::ArrayXd difference() const {
@@ -134,10 +133,12 @@ class Channel {
 
 Node solve_node(const Problem& problem, std::span<const double> shapes, int passes) {
   Basis basis;
-  BasisAt(problem.form(), shapes, false).evaluate(problem.data(), 0, problem.data().size(), basis);
+  const BasisAt at(problem.form(), shapes, false);
+  at.evaluate(problem.data(), 0, problem.data().size(), basis);
+  const CoefficientBounds bounds(problem.form(), at.peaks());
   Node node{{shapes.begin(), shapes.end()}, 0};
   for (int c = 0; c < problem.data().channels; ++c) {
-    const Eigen::VectorXd x = Channel(problem, basis, c).solve(passes, node.cost);
+    const Eigen::VectorXd x = Channel(problem, basis, c).solve(bounds, passes, node.cost);
     node.parameters.insert(node.parameters.end(), x.begin(), x.end());
   }
   return node;

@@ -3,6 +3,8 @@
 // With cos the cosine of incidence, the residual e of a value f against a measured m is
 //   l1, l2, huber:  (f - m) cos        log: log(1 + f cos) - log(1 + m cos)
 //   cbrt:           cbrt(f cos) - cbrt(m cos)
+// f and m in 1/sr or, where the data are far from the size of reflectance, in a unit of their own
+// (unit.h): all but log are of the same optimum in any unit.
 // and the loss |e| for l1 and log, e^2 / 2 for l2 and cbrt, and Huber's of a threshold. |e| is
 // minimised as sqrt(e^2 + smooth^2), smooth going to 0 by stages.
 #pragma once

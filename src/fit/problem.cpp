@@ -26,12 +26,15 @@ Problem::Problem(const Form& form, const Data& data, Loss loss, bool cosine)
   for (int c = 0; c < data.channels; ++c) {
     const auto values = data.channel(c);
     for (std::size_t i = 0; i < n; ++i) {
-      const double m = loss_.transformed(static_cast<double>(values[i]) * cosines_[i]);
+      const double value = static_cast<double>(values[i]) * cosines_[i];
+      const double m = loss_.transformed(value);
+      mean_measured_ += weights_[i] * value;
       measured_[static_cast<std::size_t>(c) * n + i] = m;
       total += weights_[i] * loss_.loss(m);
     }
   }
   weight_sum_ = std::accumulate(weights_.begin(), weights_.end(), 0.0);
+  mean_measured_ /= weight_sum_ * data.channels;
   const double unit = total > 0 ? total : weight_sum_;
   for (double& w : weights_) w /= unit;
   weight_sum_ /= unit;

@@ -55,6 +55,9 @@ class Problem {
   // The weighted mean of |e|, in the residual's unit.
   double mean_residual(std::span<const double> parameters, const Stop& stop) const;
 
+  // The weighted mean of m, times the cosine where that counts.
+  [[nodiscard]] double mean_measured() const { return mean_measured_; }
+
   // Of pair i: its weight, its cosine (or 1), and the transformed measured value of channel c.
   [[nodiscard]] const std::vector<double>& weights() const { return weights_; }
   [[nodiscard]] const std::vector<double>& cosines() const { return cosines_; }
@@ -77,7 +80,7 @@ class Problem {
   const Data& data_;
   Loss loss_;
   std::vector<double> weights_, cosines_, measured_;
-  double weight_sum_ = 0;
+  double weight_sum_ = 0, mean_measured_ = 0;
 };
 
 }  // namespace gonio::fit

@@ -8,7 +8,6 @@
 namespace gonio::fit {
 namespace {
 
-using Columns = FormLobe::Columns;
 using Numbers = std::vector<double>;
 
 // One number where all are the same.
@@ -24,76 +23,41 @@ const Parameter& parameter_of(const std::string& model, std::string_view name) {
                        [&](const Parameter& p) { return p.name == name; });
 }
 
-// Each channel's coefficients of one lobe as colours.
-class Colours {
- public:
-  Colours(const FormLobe& lobe, int channels, std::vector<std::string>* clamped)
-      : lobe_(lobe), channels_(static_cast<std::size_t>(channels)), clamped_(clamped) {}
-
-  template <class Of>
-  void set(LobeSpec& spec, const char* name, const Of& of) const {
-    const Parameter& p = parameter_of(lobe_.words.model, name);
-    Numbers numbers;
-    bool moved = false;
-    for (std::size_t c = 0; c < channels_; ++c) {
-      const double x = of(c);
-      numbers.push_back(std::clamp(x, p.lower, p.upper));
-      moved = moved || numbers.back() != x;
-    }
-    if (moved && clamped_ != nullptr)
-      clamped_->push_back(lobe_.prefix + "parameters." + std::string(name));
-    spec.parameters[name] = shortest(std::move(numbers));
-  }
-
- private:
-  const FormLobe& lobe_;
-  std::size_t channels_;
-  std::vector<std::string>* clamped_;
-};
-
-// scale and f0 from scale f0 and scale (1 - f0); without a lobe, no reflectance.
-double reflectance(double at_normal, double rest) {
-  return at_normal + rest > 0 ? at_normal / (at_normal + rest) : 0;
+void set(LobeSpec& spec, std::string_view name, Numbers numbers, bool exact) {
+  const Parameter& p = parameter_of(spec.model, name);
+  for (double& x : numbers) x = exact ? x : std::clamp(x, p.lower, p.upper);
+  spec.parameters[std::string(name)] = shortest(std::move(numbers));
 }
 
-template <class Coefficient>
-void set_colours(const FormLobe& lobe, const Colours& colours, const Coefficient& x,
+template <class Of>
+Numbers each(const std::vector<Colour>& channels, const Of& of) {
+  Numbers numbers;
+  for (const Colour& colour : channels) numbers.push_back(of(colour));
+  return numbers;
+}
+
+void set_colours(const FormLobe& lobe, const std::vector<Colour>& channels, bool exact,
                  LobeSpec& spec) {
-  const auto reflected = [&](std::size_t c) { return reflectance(x(c, 0), x(c, 1)); };
-  const auto sum = [&](std::size_t c) { return x(c, 0) + x(c, 1); };
-  switch (lobe.columns) {
-    case Columns::diffuse:
-    case Columns::quadratic_diffuse:
-      colours.set(spec, "rd", [&](std::size_t c) { return x(c, 0); });
-      break;
-    case Columns::scaled:
-      colours.set(spec, "scale", [&](std::size_t c) { return x(c, 0); });
-      break;
-    case Columns::reflectance:
-      // What a reflectance can say, it says; the scale says the rest.
-      colours.set(spec, "rs", [&](std::size_t c) { return std::min(x(c, 0), 1.0); });
-      colours.set(spec, "scale", [&](std::size_t c) { return std::max(x(c, 0), 1.0); });
-      break;
-    case Columns::schlick:
-      colours.set(spec, "f0", reflected);
-      colours.set(spec, "scale", sum);
-      break;
-    case Columns::ashikhmin_shirley:
-      colours.set(spec, "rs", reflected);
-      colours.set(spec, "scale", sum);
-      colours.set(spec, "rd", [&](std::size_t c) {
-        if (lobe.coefficient_count < 3) return 0.0;
-        const double rest = 1 - reflected(c);
-        return x(c, 2) > 0 ? x(c, 2) / std::max(rest, 1e-300) : 0.0;
-      });
-      break;
+  if (lobe.columns == Columns::reflectance) {
+    // What a reflectance can say, it says; the scale says the rest.
+    set(spec, "rs", each(channels, [](const Colour& c) { return std::min(c.scale, 1.0); }), exact);
+    set(spec, "scale", each(channels, [](const Colour& c) { return std::max(c.scale, 1.0); }),
+        exact);
+    return;
   }
+  for (const ColourMember member : members_of(lobe.columns, lobe.coefficient_count)) {
+    set(spec, name_of(lobe.columns, member),
+        each(channels, [&](const Colour& c) { return c.*member; }), exact);
+  }
+  // In a sum a lobe has no diffuse term of its own.
+  if (lobe.columns == Columns::ashikhmin_shirley && lobe.coefficient_count < 3)
+    set(spec, "rd", {0}, exact);
 }
 
 }  // namespace
 
 MaterialSpec to_material(const Form& form, std::span<const double> parameters, int channels,
-                         std::vector<std::string>* clamped) {
+                         bool exact) {
   const auto shapes = parameters.first(form.shapes.size());
   const BasisAt basis(form, shapes, false);
   MaterialSpec spec;
@@ -101,12 +65,15 @@ MaterialSpec to_material(const Form& form, std::span<const double> parameters, i
     const FormLobe& lobe = form.lobes[i];
     LobeSpec made = lobe.words;
     set_shapes(form, i, shapes, made);
-    const auto coefficient = [&](std::size_t c, std::size_t k) {
-      const std::size_t at =
-          form.shapes.size() + c * form.coefficients + lobe.first_coefficient + k;
-      return parameters[at] / basis.peaks()[lobe.first_column + k];
-    };
-    set_colours(lobe, Colours(lobe, channels, clamped), coefficient, made);
+    std::vector<Colour> colours;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
+      const std::size_t first = form.shapes.size() + c * form.coefficients + lobe.first_coefficient;
+      colours.push_back(
+          colour_at(lobe, parameters.subspan(first, lobe.coefficient_count), basis.peaks()));
+      colours.back().scale *= form.unit;
+      colours.back().diffuse *= form.unit;
+    }
+    set_colours(lobe, colours, exact, made);
     if (lobe.alone) {
       spec.model = std::move(made);
     } else if (lobe.prefix == "diffuse.") {

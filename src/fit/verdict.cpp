@@ -1,14 +1,17 @@
 #include "fit/verdict.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "fit/same_place.h"
+#include "fit/substance.h"
 
 namespace gonio::fit {
 namespace {
@@ -48,30 +51,36 @@ Reason not_the_model(const Certificate& report) {
   return {};
 }
 
-// Numbers that the model's table does not allow: the material is not what was found. Such a field
-// names no side (certify.cpp).
-Reason moved(const Certificate& report) {
-  std::vector<std::string> fields;
-  for (const std::string& field : report.active_bounds) {
-    if (field.find(' ') == std::string::npos) fields.push_back(field);
-  }
-  if (fields.empty()) return {};
-  return "the optimum is outside the bounds of the model's table, and the material was moved "
-         "inside: " +
-         joined(fields);
+bool ends_with(const std::string& field, std::string_view end) {
+  return field.size() >= end.size() &&
+         field.compare(field.size() - end.size(), end.size(), end) == 0;
 }
 
-// A coefficient of zero is a colour like any other; the other bounds hold an optimum.
-Reason held(const Certificate& report) {
-  std::vector<std::string> fields;
-  for (const std::string& field : report.active_bounds) {
-    const bool colour = field.find(".rd (lower)") != std::string::npos ||
-                        field.find(".scale (lower)") != std::string::npos ||
-                        field == "parameters.rd (lower)" || field == "parameters.scale (lower)";
-    if (!colour) fields.push_back(field);
-  }
+Reason at_bound(const std::vector<std::string>& fields) {
   if (fields.empty()) return {};
   return "at its bound: " + joined(fields);
+}
+
+// The data want more light than the model's table allows, whatever its shapes.
+Reason too_dark(const Certificate& report) {
+  std::vector<std::string> fields;
+  for (const std::string& field : report.active_bounds) {
+    if (ends_with(field, ".scale (upper)")) fields.push_back(field);
+  }
+  return at_bound(fields);
+}
+
+// A colour of zero is one like any other; the other bounds hold an optimum.
+Reason held(const Certificate& report) {
+  constexpr std::array<std::string_view, 4> kBlack{".rd (lower)", ".rs (lower)", ".f0 (lower)",
+                                                   ".scale (lower)"};
+  std::vector<std::string> fields;
+  for (const std::string& field : report.active_bounds) {
+    const bool black = std::any_of(kBlack.begin(), kBlack.end(),
+                                   [&](std::string_view end) { return ends_with(field, end); });
+    if (!black) fields.push_back(field);
+  }
+  return at_bound(fields);
 }
 
 // Shapes of a lobe without height say nothing.
@@ -122,9 +131,25 @@ Reason wide_profile(const Certificate& report) {
 
 Reason unseen(const Certificate& report) {
   for (const Indistinct& direction : report.indistinct) {
-    if (!direction.correlation) return "the data do not tell apart " + joined(direction.fields);
+    if (direction.correlation) continue;
+    if (direction.fields.size() == 1) return direction.fields.front() + " is not determined";
+    return "the data do not tell apart " + joined(direction.fields);
   }
   return {};
+}
+
+// The fields that go together with one, each once.
+std::vector<std::string> partners_of(const std::string& field, const Certificate& report) {
+  std::vector<std::string> partners;
+  for (const Indistinct& together : report.indistinct) {
+    const auto& fields = together.fields;
+    if (std::find(fields.begin(), fields.end(), field) == fields.end()) continue;
+    for (const std::string& other : fields) {
+      const bool known = std::find(partners.begin(), partners.end(), other) != partners.end();
+      if (other != field && !known) partners.push_back(other);
+    }
+  }
+  return partners;
 }
 
 // A shape whose interval is wider than a factor of two either way says little.
@@ -132,13 +157,11 @@ Reason vague(const Certificate& report) {
   for (const ParameterReport& p : report.parameters) {
     const bool shape =
         std::find(report.shapes.begin(), report.shapes.end(), p.field) != report.shapes.end();
-    if (!shape || (p.determined && !(p.lower * 4 < p.upper && p.standard_error * 2 > p.value)))
-      continue;
-    std::string with;
-    for (const Indistinct& pair : report.indistinct) {
-      if (pair.fields.front() == p.field) with += " and goes together with " + pair.fields.back();
-      if (!with.empty()) break;
-    }
+    if (!shape || p.at_bound) continue;
+    const std::vector<std::string> partners = partners_of(p.field, report);
+    const std::string with = partners.empty() ? "" : "; it goes together with " + joined(partners);
+    if (!p.determined) return p.field + " is not determined by the data" + with;
+    if (!(p.lower * 4 < p.upper && p.standard_error * 2 > p.value)) continue;
     return p.field + " is hardly determined: " + number(p.lower) + " to " + number(p.upper) +
            " at 95 %" + with;
   }
@@ -153,28 +176,35 @@ Reason too_few(const Form& form, const Data& fitted) {
          " parameters";
 }
 
-}  // namespace
-
-void judge(const Form& form, std::span<const double> parameters, const Data& fitted,
-           Certificate& report) {
-  const auto decide = [&](Verdict verdict, const Reason& reason) {
+// Verdict and reason, but for hints.
+void decide(const Form& form, std::span<const double> parameters, const Data& fitted,
+            Certificate& report) {
+  const auto take = [&](Verdict verdict, const Reason& reason) {
     if (!reason || !report.reason.empty()) return;
     report.verdict = verdict;
     report.reason = *reason;
   };
-  decide(Verdict::failed, not_the_model(report));
-  decide(Verdict::bound_limited, moved(report));
-  decide(Verdict::ambiguous, too_few(form, fitted));
-  decide(Verdict::ambiguous, invisible(form, parameters, fitted.channels));
-  decide(Verdict::ambiguous, other_basin(form, report));
-  decide(Verdict::ambiguous, wide_profile(report));
-  decide(Verdict::bound_limited, held(report));
-  decide(Verdict::ambiguous, unseen(report));
-  decide(Verdict::ambiguous, vague(report));
+  take(Verdict::failed, not_the_model(report));
+  take(Verdict::bound_limited, too_dark(report));
+  take(Verdict::ambiguous, too_few(form, fitted));
+  take(Verdict::ambiguous, invisible(form, parameters, fitted.channels));
+  take(Verdict::ambiguous, other_basin(form, report));
+  take(Verdict::ambiguous, wide_profile(report));
+  take(Verdict::bound_limited, held(report));
+  take(Verdict::ambiguous, unseen(report));
+  take(Verdict::ambiguous, vague(report));
   if (!report.reason.empty()) return;
   report.verdict = Verdict::converged;
   report.reason = std::to_string(report.agreeing) + " of " + std::to_string(report.starts.size()) +
                   " starts end within 1 % of the best, inside all bounds";
+}
+
+}  // namespace
+
+void judge(const Form& form, std::span<const double> parameters, const Data& fitted,
+           Certificate& report) {
+  decide(form, parameters, fitted, report);
+  if (const auto hint = substance_hint(form, report)) report.reason += "; " + *hint;
 }
 
 }  // namespace gonio::fit

@@ -19,8 +19,9 @@ struct Pairs {
 };
 
 // Pairs as a gonioreflectometer takes them: half about the mirror direction at all scales, half
-// over the hemisphere, up to 80 degrees. Weights are 1 over the density.
-inline Pairs scattered_pairs(std::size_t count, unsigned seed) {
+// over the hemisphere, up to 80 degrees. Weights are 1 over the density. `least`: the smallest
+// angle from the mirror direction, in radians.
+inline Pairs scattered_pairs(std::size_t count, unsigned seed, double least = 1e-3) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform;
   const double lowest = std::cos(fit::kGrazing);
@@ -29,9 +30,9 @@ inline Pairs scattered_pairs(std::size_t count, unsigned seed) {
     const double zi = lowest + (1 - lowest) * uniform(random);
     const double si = std::sqrt(1 - zi * zi), turn = 2 * std::numbers::pi * uniform(random);
     const double phi = 2 * std::numbers::pi * uniform(random);
-    // The angle from the mirror direction, its logarithm even from 0.001 to pi.
-    const double ratio = std::numbers::pi / 1e-3;
-    const double angle = 1e-3 * std::pow(ratio, uniform(random));
+    // The angle from the mirror direction, its logarithm even up to pi.
+    const double ratio = std::numbers::pi / least;
+    const double angle = least * std::pow(ratio, uniform(random));
     const double x = std::sin(angle) * std::cos(turn), y = std::sin(angle) * std::sin(turn),
                  z = std::cos(angle);
     const double up = zi * z + si * x, along = zi * x - si * z;

@@ -115,6 +115,8 @@ struct FitParameter {
   double value = 0, standard_error = 0;
   bool at_bound = false;
   double lower = 0, upper = 0;  // the 95 % interval
+  // The data say nothing of it: no standard error, and the interval is its whole range.
+  bool undetermined = false;
 };
 
 // Parameters that can move together, and the data hardly mind.
