@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "fit/rotation.h"
 #include "fit/same_place.h"
 
 namespace gonio::fit {
@@ -127,13 +128,19 @@ Reason unseen(const Certificate& report) {
   return {};
 }
 
-// A shape whose interval is wider than a factor of two either way says little.
+// A shape whose interval is wider than a factor of two either way says little; so does a rotation
+// that could be anywhere in a third of a quarter.
+bool is_vague(const ParameterReport& p) {
+  if (!p.determined) return true;
+  if (p.field == kRotation.name) return p.standard_error > kVagueDegrees;
+  return p.lower * 4 < p.upper && p.standard_error * 2 > p.value;
+}
+
 Reason vague(const Certificate& report) {
   for (const ParameterReport& p : report.parameters) {
     const bool shape =
         std::find(report.shapes.begin(), report.shapes.end(), p.field) != report.shapes.end();
-    if (!shape || (p.determined && !(p.lower * 4 < p.upper && p.standard_error * 2 > p.value)))
-      continue;
+    if (!shape || !is_vague(p)) continue;
     std::string with;
     for (const Indistinct& pair : report.indistinct) {
       if (pair.fields.front() == p.field) with += " and goes together with " + pair.fields.back();
