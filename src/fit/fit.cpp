@@ -51,19 +51,19 @@ Result<FitResult> fit_and_certify(const SearchInput& input, const Data& data,
   const bool staged = input.options.strategy == Strategy::staged;
   Search search = staged ? search_staged(input) : search_automatic(input);
   const bool free = input.options.anisotropic && !staged && !spec.rotation;
-  const auto form = make_form(spec, {input.options.anisotropic, free});
-  const SearchInput turned{*form, input.data, input.options, input.watch, input.loss};
+  const Form form = with_shapes(input.form, *make_form(spec, {input.options.anisotropic, free}));
+  const SearchInput turned{form, input.data, input.options, input.watch, input.loss};
   std::optional<Search> found;
-  if (form->rotation_shape) found = search_turned(input, turned, search);
+  if (form.rotation_shape) found = search_turned(input, turned, search);
   if (input.watch.stop && input.watch.stop())
     return Error{ErrorCode::cancelled, "the fit was cancelled", {}, {}, {}};
   if (found) return certify(turned, data, std::move(*found));
   const std::vector<double> aligned = search.parameters;
   FitResult result = certify(input, data, std::move(search));
-  if (form->rotation_shape) {
+  if (form.rotation_shape) {
     add_aligned(turned, aligned, result.certificate);
   } else if (input.options.hints) {
-    add_hint(input, spec, result.material, result.certificate);
+    add_hint(input, spec, aligned, result.certificate);
   }
   return result;
 }

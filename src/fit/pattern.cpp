@@ -16,24 +16,14 @@ Complex twice_azimuth(double x, double y) {
   return square > 0 ? Complex(x, y) * Complex(x, y) / square : Complex();
 }
 
-// Of every pair, all channels together.
-std::vector<double> residuals_of(const Material& material, const Data& data, bool cosine) {
-  const auto channels = static_cast<std::size_t>(data.channels);
-  const auto own = static_cast<std::size_t>(material.channels());
-  std::vector<double> f(data.size() * own), residuals(data.size());
-  evaluate(material,
-           Batch<float, double>{data.incident(0), data.outgoing(0), data.size(),
-                                Values<double>::planar(f.data(), data.size()), nullptr},
-           best_isa());
-  for (std::size_t c = 0; c < channels; ++c) {
-    const auto measured = data.channel(static_cast<int>(c));
-    const double* fitted = &f[(own == 1 ? 0 : c) * data.size()];
-    for (std::size_t i = 0; i < data.size(); ++i) {
-      const auto weight =
-          static_cast<double>(cosine ? data.weights[i] * data.wi[2][i] : data.weights[i]);
-      residuals[i] += weight * (static_cast<double>(measured[i]) - fitted[i]);
-    }
-  }
+// Of every pair, all channels together: in the form's own unit, and as the objective has them.
+std::vector<double> residuals_of(const Problem& problem, std::span<const double> parameters,
+                                 const Stop& stop) {
+  std::vector<double> residuals(problem.data().size());
+  problem.visit_rows(parameters, stop, [&](const PairRows& rows) {
+    for (Eigen::Index i = 0; i < rows.residual.size(); ++i)
+      residuals[rows.first + static_cast<std::size_t>(i)] -= rows.weight[i] * rows.residual[i];
+  });
   return residuals;
 }
 
@@ -66,9 +56,9 @@ double Pattern::degrees() const {
   return std::atan2(along_sin, along_cos) * (90 / std::numbers::pi);
 }
 
-Pattern pattern_of(const Material& material, const Data& data, bool cosine) {
-  if (data.size() == 0) return {};
-  const std::vector<double> residuals = residuals_of(material, data, cosine);
+Pattern pattern_of(const Problem& problem, std::span<const double> parameters, const Stop& stop) {
+  const Data& data = problem.data();
+  const std::vector<double> residuals = residuals_of(problem, parameters, stop);
   std::vector<Complex> phases;
   Complex mean;
   double total = 0, sides = 0;

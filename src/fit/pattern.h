@@ -1,15 +1,16 @@
-// Whether what a material misses depends on the azimuth of the half-vector, as it does where the
+// Whether what a fit misses depends on the azimuth of the half-vector, as it does where the
 // data are anisotropic along other axes than the material. Thread safety: a function without state.
 #pragma once
 
-#include "fit/data.h"
-#include "gonio/engine/material.h"
+#include <span>
+
+#include "fit/problem.h"
 
 namespace gonio::fit {
 
-// Of the residuals r = w (m - f) cos: the sum of r exp(2 i phi_h) over that of |r|, after what the
-// mean of exp(2 i phi_h) makes of a sum of r that is not 0. 1 at most. Residuals that are alike at
-// phi_h and -phi_h have no part along sin(2 phi_h).
+// Of the residuals r of m - f, weighted, a pair's channels together: the sum of r exp(2 i phi_h)
+// over that of |r|, after what the mean of exp(2 i phi_h) makes of a sum of r that is not 0. 1 at
+// most. Residuals that are alike at phi_h and -phi_h have no part along sin(2 phi_h).
 struct Pattern {
   double along_cos = 0, along_sin = 0;
   double noise = 0;  // what chance makes of either, one standard deviation
@@ -29,6 +30,6 @@ struct Pattern {
   [[nodiscard]] double degrees() const;  // the axis along which more is measured, in (-90, 90]
 };
 
-Pattern pattern_of(const Material& material, const Data& data, bool cosine);
+Pattern pattern_of(const Problem& problem, std::span<const double> parameters, const Stop& stop);
 
 }  // namespace gonio::fit

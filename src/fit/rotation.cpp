@@ -1,13 +1,9 @@
 #include "fit/rotation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
-#include "fit/basis.h"
-#include "fit/metrics.h"
 #include "fit/pattern.h"
 #include "fit/uncertainty.h"
 #include "gonio/engine/registry.h"
@@ -54,12 +50,6 @@ Data pairs_of(const SearchInput& input) {
   return subset(input.data, input.options.fit_pairs, input.options.seed);
 }
 
-double objective_of(const SearchInput& input, const Data& pairs,
-                    std::span<const double> parameters) {
-  const Problem problem(input.form, pairs, input.loss, input.options.cosine);
-  return problem.cost(parameters, true, input.watch.stop);
-}
-
 // The parameters of the aligned form as those of the turned one: the rotation is the last shape.
 std::vector<double> with_rotation(const Form& turned, std::span<const double> aligned) {
   std::vector<double> parameters(aligned.begin(), aligned.end());
@@ -74,18 +64,27 @@ std::vector<double> near_turn(const Form& form, std::span<const double> like,
   return turned_near(form, form.rotation_shape ? like[*form.rotation_shape] : 0, shapes);
 }
 
+Form with_shapes(const Form& form, const Form& of) {
+  Form result = form;
+  result.shapes = of.shapes;
+  result.rotation = of.rotation;
+  result.rotation_shape = of.rotation_shape;
+  return result;
+}
+
 std::optional<Search> search_turned(const SearchInput& aligned, const SearchInput& turned,
                                     const Search& found) {
   if (found.parameters.empty()) return std::nullopt;
+  const Stop& stop = aligned.watch.stop;
   const Data pairs = pairs_of(aligned);
-  const auto material =
-      Material::create(to_material(aligned.form, found.parameters, pairs.channels));
-  const Pattern left = pattern_of(*material, pairs, aligned.options.cosine);
+  const Problem before(aligned.form, pairs, aligned.loss, aligned.options.cosine);
+  const Pattern left = pattern_of(before, found.parameters, stop);
   if (!(std::abs(left.along_sin) > kTrigger * left.noise)) return std::nullopt;
   Search search = search_automatic(turned);
   if (search.parameters.empty()) return std::nullopt;
-  const double before = objective_of(aligned, pairs, found.parameters);
-  if (!(objective_of(turned, pairs, search.parameters) < kGain * before)) return std::nullopt;
+  const Problem after(turned.form, pairs, turned.loss, turned.options.cosine);
+  const double least = kGain * before.cost(found.parameters, true, stop);
+  if (!(after.cost(search.parameters, true, stop) < least)) return std::nullopt;
   search.parameters = turned_near(turned.form, 0, search.parameters);
   for (Stage& stage : search.stages) stage.name += ", turned";
   search.stages.insert(search.stages.begin(), found.stages.begin(), found.stages.end());
@@ -98,8 +97,7 @@ void add_aligned(const SearchInput& turned, std::span<const double> aligned, Cer
   const std::vector<double> parameters = with_rotation(turned.form, aligned);
   // Half-vectors of one azimuth, as tables of isotropic materials have them, cannot tell.
   constexpr double kOneAzimuth = 1e-3;
-  const auto material = Material::create(to_material(turned.form, parameters, pairs.channels));
-  if (pattern_of(*material, pairs, turned.options.cosine).half_spread < kOneAzimuth) return;
+  if (pattern_of(problem, parameters, turned.watch.stop).half_spread < kOneAzimuth) return;
   problem.set_smooth(smooth_of(problem, parameters, turned.watch.stop));
   const std::size_t found_on = report.stages.empty() ? 0 : report.stages.back().pairs;
   const Uncertainty found = uncertainty_at(problem, parameters, found_on, turned.watch.stop);

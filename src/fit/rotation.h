@@ -26,6 +26,9 @@ inline constexpr double kVagueDegrees = 8;
 std::vector<double> near_turn(const Form& form, std::span<const double> like,
                               std::span<const double> shapes);
 
+// A form, with all it says but of shapes, and the shapes of another of the same lobes.
+Form with_shapes(const Form& form, const Form& of);
+
 // The search on, with the rotation as a shape, where it gains. `turned`: the input's form with that
 // shape. None where the axes stay where they are.
 std::optional<Search> search_turned(const SearchInput& aligned, const SearchInput& turned,
@@ -37,7 +40,7 @@ void add_aligned(const SearchInput& turned, std::span<const double> aligned, Cer
 
 // Of a fit that is isotropic, or whose rotation was given: what anisotropy would explain, in words
 // after the verdict's reason.
-void add_hint(const SearchInput& input, const MaterialSpec& form, const MaterialSpec& fitted,
-              Certificate& report);
+void add_hint(const SearchInput& input, const MaterialSpec& form,
+              std::span<const double> parameters, Certificate& report);
 
 }  // namespace gonio::fit

@@ -2,9 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
-#include "fit/basis.h"
-#include "fit/metrics.h"
 #include "fit/pattern.h"
 #include "fit/rotation.h"
 #include "gonio/engine/registry.h"
@@ -16,7 +15,7 @@ namespace {
 // incidence differ; those of brushed metal fitted by an isotropic lobe are a half.
 constexpr double kStrong = 0.25, kSigmas = 6;
 constexpr double kBad = 0.05;    // an L1 below needs no advice
-constexpr double kBetter = 0.8;  // of the L1: what a turned fit must come to
+constexpr double kBetter = 0.8;  // of the objective: what a turned fit must come to
 constexpr double kAlong = 5;     // degrees: as good as along the frame
 
 std::string text(double x, const char* format) {
@@ -36,51 +35,55 @@ bool has_tangents(const Form& form) {
   });
 }
 
-// The model's own anisotropic form, its axes free, on the scan's pairs: its rotation and L1.
+// The model's own anisotropic form, its axes free: its rotation and objective on these pairs.
 struct Explained {
-  double rotation, l1;
+  double rotation, objective;
 };
-std::optional<Explained> explained(const SearchInput& input, MaterialSpec spec) {
+std::optional<Explained> explained(const SearchInput& input, MaterialSpec spec, const Data& pairs) {
   spec.rotation.reset();
-  const auto form = make_form(spec, {true, true});
-  if (!form) return std::nullopt;
-  const Data pairs = subset(input.data, input.options.scan_pairs, input.options.seed);
+  const auto free = make_form(spec, {true, true});
+  if (!free) return std::nullopt;
+  const Form form = with_shapes(input.form, *free);
   Options options = input.options;
   options.polish = false;
   const Watch quiet{{}, input.watch.stop};
-  const SearchInput small{*form, pairs, options, quiet, input.loss};
-  const Search search = search_automatic(small);
+  const Search search = search_automatic({form, pairs, options, quiet, input.loss});
   if (search.parameters.empty()) return std::nullopt;
-  const auto shapes =
-      near_turn(*form, std::vector<double>(search.parameters.size(), 0), search.parameters);
-  const auto material = Material::create(to_material(*form, search.parameters, pairs.channels));
-  return Explained{shapes[*form->rotation_shape], compare(*material, pairs, 0).errors.all.l1};
+  const std::vector<double> unturned(search.parameters.size(), 0);
+  const auto parameters = near_turn(form, unturned, search.parameters);
+  const Problem problem(form, pairs, input.loss, input.options.cosine);
+  return Explained{parameters[*form.rotation_shape],
+                   problem.cost(parameters, true, input.watch.stop)};
 }
 
 std::optional<std::string> hint(const SearchInput& input, const MaterialSpec& spec,
-                                const MaterialSpec& fitted, const Certificate& report) {
+                                std::span<const double> parameters, const Certificate& report) {
   if (!(report.errors.all.l1 > kBad)) return std::nullopt;
   const Data pairs = subset(input.data, input.options.fit_pairs, input.options.seed);
-  const auto material = Material::create(fitted);
-  const Pattern left = pattern_of(*material, pairs, input.options.cosine);
+  const Problem problem(input.form, pairs, input.loss, input.options.cosine);
+  const Pattern left = pattern_of(problem, parameters, input.watch.stop);
   if (left.anisotropic() < std::max(kStrong, kSigmas * left.noise)) return std::nullopt;
   if (!has_tangents(input.form)) {
     return "the data look anisotropic, " +
            (left.of_one_azimuth() ? "with turned axes" : turned_by(left.degrees())) +
            ": a model with tangents may fit better";
   }
-  const auto better = explained(input, spec);
-  if (!better || !(better->l1 < kBetter * report.errors.all.l1)) return std::nullopt;
+  const Data few = subset(input.data, input.options.scan_pairs, input.options.seed);
+  const auto better = explained(input, spec, few);
+  const Problem same(input.form, few, input.loss, input.options.cosine);
+  const double here = same.cost(parameters, true, input.watch.stop);
+  if (!better || !(better->objective < kBetter * here)) return std::nullopt;
   return "the data look anisotropic, " + turned_by(better->rotation) + ": an anisotropic fit" +
-         (input.options.anisotropic ? " that finds its rotation" : "") + " comes to an L1 of " +
-         text(better->l1, "%.2g") + " in place of " + text(report.errors.all.l1, "%.2g");
+         (input.options.anisotropic ? " that finds its rotation" : "") +
+         " comes to an objective of " + text(better->objective, "%.2g") + " in place of " +
+         text(here, "%.2g");
 }
 
 }  // namespace
 
-void add_hint(const SearchInput& input, const MaterialSpec& spec, const MaterialSpec& fitted,
-              Certificate& report) {
-  const auto found = hint(input, spec, fitted, report);
+void add_hint(const SearchInput& input, const MaterialSpec& spec,
+              std::span<const double> parameters, Certificate& report) {
+  const auto found = hint(input, spec, parameters, report);
   if (found) report.reason += "; " + *found;
 }
 
