@@ -11,9 +11,12 @@
 namespace gonio::fit {
 namespace {
 
-// Residuals of isotropic materials, of wrong models too, are below a tenth where azimuths of
-// incidence differ; those of brushed metal fitted by an isotropic lobe are a half.
-constexpr double kStrong = 0.25, kSigmas = 6;
+// Sizes of a pattern, and how many times what chance makes of it. Where azimuths of incidence
+// differ, isotropic data leave 0.01 and less, also of a wrong model; those with alphas of 0.1 and
+// 0.4 leave 0.2 to 0.5 of an isotropic lobe. A fit that comes to much less is proof enough of a
+// small one.
+constexpr double kSuspicious = 0.08, kSuspiciousSigmas = 4;
+constexpr double kStrong = 0.2, kStrongSigmas = 5;
 constexpr double kBad = 0.05;    // an L1 below needs no advice
 constexpr double kBetter = 0.8;  // of the objective: what a turned fit must come to
 constexpr double kAlong = 5;     // degrees: as good as along the frame
@@ -24,7 +27,9 @@ std::string text(double x, const char* format) {
   return buffer;
 }
 
-std::string turned_by(double degrees) {
+// A quarter of a turn swaps the tangents.
+std::string turned_by(double azimuth) {
+  const double degrees = std::remainder(azimuth, 90.0);
   if (std::abs(degrees) < kAlong) return "along the tangents";
   return "with axes turned by about " + text(degrees, "%.0f") + " degrees";
 }
@@ -62,8 +67,10 @@ std::optional<std::string> hint(const SearchInput& input, const MaterialSpec& sp
   const Data pairs = subset(input.data, input.options.fit_pairs, input.options.seed);
   const Problem problem(input.form, pairs, input.loss, input.options.cosine);
   const Pattern left = pattern_of(problem, parameters, input.watch.stop);
-  if (left.anisotropic() < std::max(kStrong, kSigmas * left.noise)) return std::nullopt;
+  const double size = left.anisotropic();
+  if (size < std::max(kSuspicious, kSuspiciousSigmas * left.noise)) return std::nullopt;
   if (!has_tangents(input.form)) {
+    if (size < std::max(kStrong, kStrongSigmas * left.noise)) return std::nullopt;
     return "the data look anisotropic, " +
            (left.of_one_azimuth() ? "with turned axes" : turned_by(left.degrees())) +
            ": a model with tangents may fit better";

@@ -71,7 +71,7 @@ TEST_F(RotationCommand, IsFoundByAFit) {
           "gonio fit --data $D/data.csv --deg --model ggx:schlick --anisotropic -o $D/fit.json "
           "--report $D/report.json --report $D/report.md");
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("rotation 35 +- "));
+  EXPECT_THAT(result.out, HasSubstr("rotation 35 +-"));
   EXPECT_NEAR(at(json(content("fit.json")), "rotation").number_value(), 35, 0.05);
   EXPECT_THAT(content("report.json"), HasSubstr("\"field\": \"rotation\""));
   EXPECT_THAT(content("report.md"), HasSubstr("`rotation`"));
