@@ -62,7 +62,12 @@ void add_what(CLI::App& command, FitArguments& arguments) {
                   "Under the lobes: lambertian (the default), another diffuse model, or none")
       ->type_name("NAME");
   command.add_flag("--anisotropic", arguments.anisotropic,
-                   "Roughness or exponents along u and v each by themselves");
+                   "Roughness or exponents along u and v each by themselves, u and v being turned "
+                   "about the normal where the data are");
+  command
+      .add_option("--rotation", arguments.rotation,
+                  "Hold u and v turned by this, -180 to 180 degrees; 0: as they are")
+      ->type_name("DEG");
   command.add_flag("--deg", arguments.degrees, "Angles of a CSV are in degrees");
 }
 
@@ -146,9 +151,10 @@ Result<FitForm> form_of(const client::ModelInfo& model, const std::string& wante
     lobe.parameters["fresnel"] = word;
   }
   const std::string name = wanted.empty() ? model.name : model.name + ":" + wanted;
-  if (model.role == client::Role::diffuse)
-    return FitForm{name, client::Material::model(model.name)};
-  return FitForm{name, over(arguments.base, lobe, arguments.lobes)};
+  client::Material form = model.role == client::Role::diffuse
+                              ? client::Material::model(model.name)
+                              : over(arguments.base, lobe, arguments.lobes);
+  return FitForm{name, arguments.rotation ? form.rotated(*arguments.rotation) : std::move(form)};
 }
 
 bool can_be_fitted(const client::ModelInfo& model) {

@@ -1,6 +1,7 @@
 // The arguments of `gonio fit`. Thread safety: plain values.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct FitArguments {
   std::uint64_t seed = 1;
   bool degrees = false;
   bool anisotropic = false;
+  std::optional<double> rotation;  // degrees; as given
   bool polish = false;
   bool quiet = false;
   std::string output;                // empty: none

@@ -160,6 +160,7 @@ std::string how(const FitArguments& arguments) {
          ", pairs above " + number(arguments.min_theta) + "° and up to " +
          number(arguments.max_theta) + "°, " + std::to_string(arguments.starts) + " starts, seed " +
          std::to_string(arguments.seed) + (arguments.anisotropic ? ", anisotropic" : "") +
+         (arguments.rotation ? ", turned by " + number(*arguments.rotation) + "°" : "") +
          (arguments.polish ? ", with a last descent on all pairs" : "") + ".\n";
 }
 

@@ -128,7 +128,9 @@ std::string model_table(const client::Catalogue& catalogue) {
   text += "\nInstruction sets: " + joined(sets, ", ");
   return text +
          "\n\n'gonio models NAME' describes one model, 'gonio models --presets' lists named "
-         "values.\n";
+         "values.\nBeside its models a material may have a \"rotation\" of the tangents u and v "
+         "about "
+         "the normal, in degrees.\n";
 }
 
 std::string model_page(const client::ModelInfo& model) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 
+#include "fit/rotation.h"
 #include "fit/scan.h"
 #include "fit/search.h"
 
@@ -64,12 +65,13 @@ std::vector<Candidate> descend(const SearchInput& input, const Form& form, Probl
 
 // Are the shapes of two ends the same, within a twentieth of what a scan covers? Descents on the
 // scan's pairs are not run to their very end.
-bool same(const Form& form, const Candidate& a, const Candidate& b) {
+bool same(const Form& form, const Candidate& a, const Candidate& other) {
+  const std::vector<double> b = near_turn(form, a.parameters, other.parameters);
   for (std::size_t i = 0; i < form.shapes.size(); ++i) {
     const ShapeParameter& shape = form.shapes[i];
     const double range =
         shape.scale.to_search(shape.scan_upper) - shape.scale.to_search(shape.scan_lower);
-    if (std::abs(a.parameters[i] - b.parameters[i]) > 0.05 * range) return false;
+    if (std::abs(a.parameters[i] - b[i]) > 0.05 * range) return false;
   }
   return true;
 }

@@ -36,16 +36,17 @@ void to_parabola(double* at_half, double* at_one, std::size_t count, double unit
 BasisAt::BasisAt(const Form& form, std::span<const double> shapes, bool derivatives)
     : form_(form), shape_count_(form.shapes.size()) {
   for (std::size_t lobe = 0; lobe < form.lobes.size(); ++lobe) {
-    const MaterialSpec spec{column_lobe(form, lobe, shapes), {}, {}};
+    const MaterialSpec spec{column_lobe(form, lobe, shapes), {}, {}, rotation_of(form, shapes)};
     Result<Material> material = Material::create(spec);
     assert(material.ok());  // the form was made from a valid one, and shapes are clamped
     lobes_.push_back({std::move(material).value(), {}});
     for (std::size_t p = 0; derivatives && p < shape_count_; ++p) {
       const ShapeParameter& shape = form.shapes[p];
-      if (shape.lobe != lobe) continue;
+      if (!depends(form, lobe, shape)) continue;
       ByShape by{p, shape.scale.slope(shapes[p]), {}};
       for (const std::string& name : shape.names) {
-        Result<MaterialDerivative> d = MaterialDerivative::create(spec, "parameters." + name);
+        Result<MaterialDerivative> d =
+            MaterialDerivative::create(spec, name == kRotation.name ? name : "parameters." + name);
         assert(d.ok());
         by.by.push_back(std::move(d).value());
       }

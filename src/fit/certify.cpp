@@ -15,15 +15,12 @@ namespace gonio::fit {
 namespace {
 
 constexpr std::array kAlbedoDegrees{0.0, 30.0, 60.0, 80.0};
-// As the last stage of a fit smooths |e|.
-constexpr double kSmooth = 0.001;
 
 void add_uncertainty(const SearchInput& input, std::span<const double> parameters,
                      Certificate& report) {
   const Data pairs = subset(input.data, input.options.fit_pairs, input.options.seed);
   Problem problem(input.form, pairs, input.loss, input.options.cosine);
-  problem.set_smooth(
-      std::max(kSmooth * problem.mean_residual(parameters, input.watch.stop), 1e-12));
+  problem.set_smooth(smooth_of(problem, parameters, input.watch.stop));
   const std::size_t found_on = report.stages.empty() ? 0 : report.stages.back().pairs;
   Uncertainty found = uncertainty_at(problem, parameters, found_on, input.watch.stop);
   report.gradient_norm = found.gradient_norm;

@@ -5,6 +5,17 @@ namespace {
 
 bool is_quadratic(const FormLobe& lobe) { return lobe.columns == Columns::quadratic_diffuse; }
 
+// Adds what a lobe's reflectance changes by with the shape whose derivatives begin at that column.
+void add_slope(const FormLobe& lobe, const Basis& basis, std::size_t first,
+               std::span<const double> coefficients, Eigen::ArrayXd& sum) {
+  for (std::size_t k = 0; k < lobe.column_count; ++k) {
+    const double x = coefficients[lobe.first_coefficient + (is_quadratic(lobe) ? 0 : k)];
+    const std::size_t at = (first + lobe.first_column + k) * basis.stride;
+    sum += (is_quadratic(lobe) && k == 1 ? x * x : x) *
+           Eigen::Map<const Eigen::ArrayXd>(&basis.derivatives[at], sum.size());
+  }
+}
+
 }  // namespace
 
 void sum_columns(const Form& form, const Basis& basis, std::size_t count,
@@ -31,13 +42,11 @@ void derive_columns(const Form& form, const Basis& basis, std::size_t count,
     return Eigen::Map<const Eigen::ArrayXd>(&basis.values[k * basis.stride], n);
   };
   for (Eigen::Index p = 0; p < shapes; ++p) {
-    const FormLobe& lobe = form.lobes[form.shapes[static_cast<std::size_t>(p)].lobe];
+    const auto shape = static_cast<std::size_t>(p);
     Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(n);
-    for (std::size_t k = 0; k < lobe.column_count; ++k) {
-      const double x = coefficients[lobe.first_coefficient + (is_quadratic(lobe) ? 0 : k)];
-      const std::size_t at = static_cast<std::size_t>(p) * form.columns + lobe.first_column + k;
-      sum += (is_quadratic(lobe) && k == 1 ? x * x : x) *
-             Eigen::Map<const Eigen::ArrayXd>(&basis.derivatives[at * basis.stride], n);
+    for (std::size_t i = 0; i < form.lobes.size(); ++i) {
+      if (depends(form, i, form.shapes[shape]))
+        add_slope(form.lobes[i], basis, shape * form.columns, coefficients, sum);
     }
     jacobian.col(p) = (sum * slope).matrix();
   }

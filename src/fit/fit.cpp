@@ -7,6 +7,7 @@
 
 #include "fit/certify.h"
 #include "fit/outliers.h"
+#include "fit/rotation.h"
 #include "fit/search.h"
 #include "fit/unit.h"
 
@@ -46,6 +47,29 @@ double threshold_of(const Data& data, const Options& options) {
   return sum > 0 ? options.huber * sum / weights : options.huber;
 }
 
+// With the axes along the frame's or as given; then, where they may be and it gains, turned.
+Result<FitResult> fit_and_certify(const SearchInput& input, const Data& data,
+                                  const MaterialSpec& spec) {
+  const bool staged = input.options.strategy == Strategy::staged;
+  Search search = staged ? search_staged(input) : search_automatic(input);
+  const bool free = input.options.anisotropic && !staged && !spec.rotation;
+  const Form form = with_shapes(input.form, *make_form(spec, {input.options.anisotropic, free}));
+  const SearchInput turned{form, input.data, input.options, input.watch, input.loss};
+  std::optional<Search> found;
+  if (form.rotation_shape) found = search_turned(input, turned, search);
+  if (input.watch.stop && input.watch.stop())
+    return Error{ErrorCode::cancelled, "the fit was cancelled", {}, {}, {}};
+  if (found) return certify(turned, data, std::move(*found));
+  const std::vector<double> aligned = search.parameters;
+  FitResult result = certify(input, data, std::move(search));
+  if (form.rotation_shape) {
+    add_aligned(turned, aligned, result.certificate);
+  } else if (input.options.hints) {
+    add_hint(input, spec, aligned, result.certificate);
+  }
+  return result;
+}
+
 }  // namespace
 
 Result<FitResult> fit(const Data& data, const MaterialSpec& spec, const Options& options,
@@ -64,13 +88,10 @@ Result<FitResult> fit(const Data& data, const MaterialSpec& spec, const Options&
   const Loss loss{options.objective, 0, threshold_of(fitted, options)};
   const SearchInput input{*form, fitted, options, watch, loss};
   if (fitted.size() == 0) return nothing_to_fit(data, options);
-  Search search =
-      options.strategy == Strategy::staged ? search_staged(input) : search_automatic(input);
-  if (watch.stop && watch.stop())
-    return Error{ErrorCode::cancelled, "the fit was cancelled", {}, {}, {}};
-  FitResult result = certify(input, data, std::move(search));
-  judge_outliers(fitted, result.certificate);
-  result.certificate.cpu_seconds = cpu_seconds() - begin;
+  auto result = fit_and_certify(input, data, spec);
+  if (!result) return result.error();
+  judge_outliers(fitted, result->certificate);
+  result->certificate.cpu_seconds = cpu_seconds() - begin;
   return result;
 }
 

@@ -33,16 +33,20 @@ enum class Strategy : std::uint8_t {
 struct Options {
   Objective objective = Objective::l1;
   Strategy strategy = Strategy::automatic;
-  bool anisotropic = false;  // nu and nv, alpha_x and alpha_y each by themselves
-  bool cosine = true;        // residuals are of f cos(theta_i), or of f
-  double huber = 0.1;        // Huber's threshold, as a part of the mean of m cos
-  double min_theta = 0;      // radians; pairs whose larger angle is in (min, max] are fitted
+  // nu and nv, alpha_x and alpha_y each by themselves, and along which axes (rotation.h) unless the
+  // form gives a rotation.
+  bool anisotropic = false;
+  bool cosine = true;    // residuals are of f cos(theta_i), or of f
+  double huber = 0.1;    // Huber's threshold, as a part of the mean of m cos
+  double min_theta = 0;  // radians; pairs whose larger angle is in (min, max] are fitted
   double max_theta = 1.5707963267948966;
   // Nodes of the scan that are descended from, beside the models' own start and the guess.
   std::size_t starts = 6;
   std::size_t fit_pairs = 20'000, scan_pairs = 2'000;  // of the stratified subsets
   bool polish = false;                                 // a last descent on all pairs
-  std::uint64_t seed = 1;                              // of the subsets
+  bool hints =
+      true;  // whether a fit with a misfit that anisotropy would explain looks for how much
+  std::uint64_t seed = 1;  // of the subsets
 };
 
 struct Progress {

@@ -5,16 +5,13 @@
 #include <optional>
 
 #include "engine/material_impl.h"
+#include "gonio/engine/registry.h"
 
 namespace gonio::fit {
 namespace {
 
 // What a channel's coefficients stand for: all other numbers are shapes, shared by the channels.
 constexpr std::array<std::string_view, 4> kColours{"rd", "rs", "f0", "scale"};
-// Held equal where the material is isotropic.
-constexpr std::array<std::array<std::string_view, 2>, 2> kTied{
-    {{"nu", "nv"}, {"alpha_x", "alpha_y"}}};
-
 bool is_colour(const Parameter& p) {
   return std::find(kColours.begin(), kColours.end(), p.name) != kColours.end();
 }
@@ -62,16 +59,16 @@ double mean(const std::vector<double>& numbers) {
   return std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
 }
 
-// Is `name` the second of a pair of which `shapes` has the first?
-ShapeParameter* tied_to(std::string_view name, std::vector<ShapeParameter>& shapes,
-                        std::size_t lobe) {
-  for (const auto& [first, second] : kTied) {
-    if (name != second) continue;
-    for (ShapeParameter& shape : shapes) {
-      if (shape.lobe == lobe && shape.names.front() == first) return &shape;
-    }
-  }
-  return nullptr;
+// If `name` is the parameter along the second tangent, that of the first: they are held equal where
+// the material is isotropic.
+ShapeParameter* tied_to(std::string_view name, const ModelDescription& model,
+                        std::vector<ShapeParameter>& shapes, std::size_t lobe) {
+  const auto& [first, second] = model.along_tangents;
+  if (!model.has_tangents() || name != second) return nullptr;
+  const auto found = std::find_if(shapes.begin(), shapes.end(), [&, &u = first](const auto& shape) {
+    return shape.lobe == lobe && shape.names.front() == u;
+  });
+  return found == shapes.end() ? nullptr : &*found;
 }
 
 void add_shapes(const NamedLobe& named, const CheckedLobe& lobe,
@@ -82,7 +79,8 @@ void add_shapes(const NamedLobe& named, const CheckedLobe& lobe,
   const bool dielectric = fresnel != words.end() && fresnel->second == "dielectric";
   for (const Parameter& p : lobe.model->parameters) {
     if (p.kind == Kind::word || is_colour(p) || !is_used(p, words)) continue;
-    ShapeParameter* partner = options.anisotropic ? nullptr : tied_to(p.name, form.shapes, index);
+    ShapeParameter* partner =
+        options.anisotropic ? nullptr : tied_to(p.name, *lobe.model, form.shapes, index);
     if (partner != nullptr) {
       partner->names.emplace_back(p.name);
       continue;
@@ -139,6 +137,18 @@ void add_lobe(const NamedLobe& named, const CheckedLobe& checked, const FormOpti
   add_shapes(named, checked, words, options, form);
 }
 
+void add_rotation(const CheckedMaterial& material, Form& form) {
+  const auto turns = std::find_if(material.lobes.begin(), material.lobes.end(),
+                                  [](const auto& lobe) { return lobe.model->has_tangents(); });
+  if (turns == material.lobes.end()) return;
+  form.rotation_shape = form.shapes.size();
+  form.shapes.push_back(rotation_shape(static_cast<std::size_t>(turns - material.lobes.begin())));
+}
+
+bool is_rotation(const Form& form, const ShapeParameter& shape) {
+  return form.rotation_shape && &shape == &form.shapes[*form.rotation_shape];
+}
+
 }  // namespace
 
 ColourBounds Form::bounds_of(const FormLobe& lobe) const {
@@ -158,10 +168,21 @@ Colour colour_at(const FormLobe& lobe, std::span<const double> coefficients,
   return colour_of(lobe.columns, std::span(relative).first(lobe.coefficient_count));
 }
 
+bool depends(const Form& form, std::size_t lobe, const ShapeParameter& shape) {
+  if (!is_rotation(form, shape)) return shape.lobe == lobe;
+  return (*find_model(form.lobes[lobe].words.model))->has_tangents();
+}
+
+std::optional<double> rotation_of(const Form& form, std::span<const double> shapes) {
+  if (!form.rotation_shape) return form.rotation;
+  const ShapeParameter& shape = form.shapes[*form.rotation_shape];
+  return std::clamp(shapes[*form.rotation_shape], shape.lower, shape.upper);
+}
+
 void set_shapes(const Form& form, std::size_t lobe, std::span<const double> shapes, LobeSpec& to) {
   for (std::size_t i = 0; i < form.shapes.size(); ++i) {
     const ShapeParameter& shape = form.shapes[i];
-    if (shape.lobe != lobe) continue;
+    if (shape.lobe != lobe || is_rotation(form, shape)) continue;
     const double p = std::clamp(shape.scale.to_parameter(shapes[i]), shape.lower, shape.upper);
     for (const std::string& name : shape.names) to.parameters[name] = std::vector{p};
   }
@@ -206,6 +227,8 @@ Result<Form> make_form(const MaterialSpec& spec, const FormOptions& options) {
   Form form;
   for (std::size_t i = 0; i < checked->lobes.size(); ++i)
     add_lobe(checked->named[i], checked->lobes[i], options, form);
+  form.rotation = spec.rotation;
+  if (options.turned) add_rotation(*checked, form);
   return form;
 }
 

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -39,6 +40,9 @@ struct Form {
   std::size_t columns = 0, coefficients = 0;  // of a channel
   // What measured values, f and coefficients are divided by while the fit works (unit.h).
   double unit = 1;
+  // Of the material's tangents: what is given, and the shape by which it is found, if it is.
+  std::optional<double> rotation;
+  std::optional<std::size_t> rotation_shape;
 
   [[nodiscard]] std::size_t parameters(int channels) const {
     return shapes.size() + coefficients * static_cast<std::size_t>(channels);
@@ -49,12 +53,20 @@ struct Form {
 
 struct FormOptions {
   bool anisotropic = false;  // nu and nv, alpha_x and alpha_y each by themselves
+  bool turned = false;       // the rotation is a shape, if any lobe has tangents
 };
 
 // From a specification whose words (and models) say what is fitted and whose numbers, where there
 // are any, are the caller's guess. Errors are those of Material::create, or name what cannot be
 // fitted (a measured table).
 Result<Form> make_form(const MaterialSpec& spec, const FormOptions& options);
+
+// Whether a lobe changes with a shape: its own, or the rotation of all that have tangents.
+bool depends(const Form& form, std::size_t lobe, const ShapeParameter& shape);
+
+// Of the material's tangents in degrees, by the shapes (search scale); none if it is neither given
+// nor found.
+std::optional<double> rotation_of(const Form& form, std::span<const double> shapes);
 
 // The shape parameters of one lobe (search scale), within the bounds of its model's table.
 void set_shapes(const Form& form, std::size_t lobe, std::span<const double> shapes, LobeSpec& to);

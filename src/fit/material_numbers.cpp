@@ -41,6 +41,8 @@ std::vector<MaterialNumber> numbers_of(const Form& form, std::span<const double>
                                                        : spec.specular[specular++];
     append_numbers(lobe, made, channels, numbers);
   }
+  if (form.rotation_shape)
+    numbers.push_back({std::string(kRotation.name), -1, *spec.rotation, &kRotation});
   return numbers;
 }
 

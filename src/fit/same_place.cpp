@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "fit/rotation.h"
+
 namespace gonio::fit {
 namespace {
 
@@ -44,6 +46,8 @@ std::vector<Apart> differences(const Form& form, std::span<const double> a,
 }  // namespace
 
 std::optional<Apart> apart(const Form& form, std::span<const double> a, std::span<const double> b) {
+  const std::vector<double> turned_alike = near_turn(form, a, b);
+  b = turned_alike;
   const auto& lobes = form.lobes;  // a base and up to four others
   std::vector<std::size_t> order(lobes.size());
   std::iota(order.begin(), order.end(), 0);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gonio/models/description.h"
+#include "gonio/engine/material.h"
 
 namespace gonio::fit {
 namespace {
@@ -46,6 +46,16 @@ ShapeParameter shape_of(const Parameter& p, bool dielectric) {
     shape.scan_upper = 10;
   }
   shape.start = std::clamp(p.start, shape.lower, shape.upper);
+  return shape;
+}
+
+ShapeParameter rotation_shape(std::size_t lobe) {
+  constexpr double kScanned = 30;  // either way: nodes next to the ends would be the same
+  ShapeParameter shape = shape_of(kRotation, false);
+  shape.lobe = lobe;
+  shape.field = kRotation.name;
+  shape.scan_lower = -kScanned;
+  shape.scan_upper = kScanned;
   return shape;
 }
 

@@ -36,4 +36,9 @@ struct ShapeParameter {
 // index of refraction is that of one.
 ShapeParameter shape_of(const Parameter& p, bool dielectric);
 
+// The rotation of the material's tangents, in degrees; `lobe` is the first that has any. Each
+// quarter of a turn, with the parameters along u and v swapped, gives the same material: a scan
+// looks within one.
+ShapeParameter rotation_shape(std::size_t lobe);
+
 }  // namespace gonio::fit

@@ -61,6 +61,7 @@ MaterialSpec to_material(const Form& form, std::span<const double> parameters, i
   const auto shapes = parameters.first(form.shapes.size());
   const BasisAt basis(form, shapes, false);
   MaterialSpec spec;
+  spec.rotation = rotation_of(form, shapes);
   for (std::size_t i = 0; i < form.lobes.size(); ++i) {
     const FormLobe& lobe = form.lobes[i];
     LobeSpec made = lobe.words;

@@ -178,6 +178,11 @@ ParameterReport report_of(const MaterialNumber& number, const Says& says, double
 
 }  // namespace
 
+double smooth_of(const Problem& problem, std::span<const double> parameters, const Stop& stop) {
+  constexpr double kSmooth = 0.001;  // of the mean residual
+  return std::max(kSmooth * problem.mean_residual(parameters, stop), 1e-12);
+}
+
 Uncertainty uncertainty_at(const Problem& problem, std::span<const double> parameters,
                            std::size_t pairs, const Stop& stop) {
   Uncertainty result;

@@ -23,6 +23,9 @@ struct Uncertainty {
   std::vector<std::string> active_bounds;
 };
 
+// How the last stage of a fit smooths |e|.
+double smooth_of(const Problem& problem, std::span<const double> parameters, const Stop& stop);
+
 // At the minimum `parameters` of a problem whose loss is smoothed as it was last minimised.
 // `pairs` is how many the minimum was found on, if more than the problem's.
 Uncertainty uncertainty_at(const Problem& problem, std::span<const double> parameters,

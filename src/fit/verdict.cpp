@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "fit/rotation.h"
 #include "fit/same_place.h"
 #include "fit/substance.h"
 
@@ -152,7 +153,13 @@ std::vector<std::string> partners_of(const std::string& field, const Certificate
   return partners;
 }
 
-// A shape whose interval is wider than a factor of two either way says little.
+// A shape whose interval is wider than a factor of two either way says little; so does a rotation
+// that could be anywhere in a third of a quarter.
+bool is_vague(const ParameterReport& p) {
+  if (p.field == kRotation.name) return p.standard_error > kVagueDegrees;
+  return p.lower * 4 < p.upper && p.standard_error * 2 > p.value;
+}
+
 Reason vague(const Certificate& report) {
   for (const ParameterReport& p : report.parameters) {
     const bool shape =
@@ -161,7 +168,7 @@ Reason vague(const Certificate& report) {
     const std::vector<std::string> partners = partners_of(p.field, report);
     const std::string with = partners.empty() ? "" : "; it goes together with " + joined(partners);
     if (!p.determined) return p.field + " is not determined by the data" + with;
-    if (!(p.lower * 4 < p.upper && p.standard_error * 2 > p.value)) continue;
+    if (!is_vague(p)) continue;
     return p.field + " is hardly determined: " + number(p.lower) + " to " + number(p.upper) +
            " at 95 %" + with;
   }

@@ -49,7 +49,7 @@ class List {
 
  private:
   [[nodiscard]] std::size_t count(const MaterialSpec& form, bool anisotropic) const {
-    return fit::make_form(form, {anisotropic})->parameters(channels_);
+    return fit::make_form(form, {anisotropic, anisotropic})->parameters(channels_);
   }
   const Scene& scene_;
   int channels_;

@@ -68,6 +68,7 @@ Outcome Queue::fit_one(Tried& tried) {
   fit::Options options;
   options.objective = objective_of(task_.scene.metric);
   options.anisotropic = tried.anisotropic;
+  options.hints = false;
   options.starts = task_.options.starts;
   options.fit_pairs = task_.options.sizes.fitted;
   options.scan_pairs = kScanPairs;

@@ -55,10 +55,12 @@ enum class FitStrategy : std::uint8_t {
 struct FitOptions {
   Objective objective = Objective::l1;
   FitStrategy strategy = FitStrategy::automatic;
-  bool anisotropic = false;  // nu and nv, alpha_x and alpha_y each by themselves
-  bool cosine = true;        // false: of f in place of f cos
-  double huber = 0.1;        // Huber's threshold, as a part of the mean of m cos
-  double min_theta = 0;      // radians; pairs whose larger angle is in (min, max] are fitted
+  // nu and nv, alpha_x and alpha_y each by themselves, and along which axes: the material's
+  // rotation is found, too, unless the form has one (Material::rotated).
+  bool anisotropic = false;
+  bool cosine = true;    // false: of f in place of f cos
+  double huber = 0.1;    // Huber's threshold, as a part of the mean of m cos
+  double min_theta = 0;  // radians; pairs whose larger angle is in (min, max] are fitted
   double max_theta = 1.5707963267948966;
   unsigned starts = 6;                              // places that are descended from
   unsigned fit_pairs = 20'000, scan_pairs = 2'000;  // of the stratified subsets
