@@ -1,11 +1,17 @@
 // goniod: serves material evaluation over gRPC.
 #include <CLI/CLI.hpp>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <iostream>
+#include <string>
 
+#include "base/exit_code.h"
 #include "gonio/base/version.h"
+#include "server/arguments/completion.h"
+#include "server/arguments/man_page.h"
+#include "server/arguments/misuse.h"
+#include "server/arguments/words.h"
 #include "server/configure.h"
 #include "server/logging.h"
 #include "server/server.h"
@@ -13,8 +19,6 @@
 namespace {
 
 using std::chrono::milliseconds;
-
-constexpr int kFailed = 1, kWrongUsage = 2;
 
 struct Arguments {
   gonio::ServerOptions server;
@@ -26,6 +30,8 @@ struct Arguments {
   double grace_seconds = 5;
   std::string log_level = "info";
   std::string log_format = "text";
+  std::string completion;  // a shell, in place of serving
+  bool man_page = false;
 };
 
 void describe_service(CLI::App& app, gonio::ServerOptions& server) {
@@ -89,16 +95,27 @@ void describe_fits(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
 }
 
+// For installations: what they make of these arguments. Not part of the help.
+void describe_texts(CLI::App& app, Arguments& arguments) {
+  constexpr std::array kCodes{gonio::exit_ok, gonio::exit_failed, gonio::exit_bad_input};
+  app.footer("\n" + gonio::exit_status_text(kCodes));
+  app.add_option("--completion", arguments.completion)
+      ->check(gonio::arguments::one_of(gonio::arguments::shells()))
+      ->group("");
+  app.add_flag("--man-page", arguments.man_page)->group("");
+}
+
 void describe(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", std::string("goniod ") + gonio::kVersion);
   describe_service(app, arguments.server);
   describe_limits(app, arguments);
   describe_fits(app, arguments);
+  describe_texts(app, arguments);
   app.add_option("--log-level", arguments.log_level, "trace, debug, info, warning, error or off")
-      ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
+      ->check(gonio::arguments::one_of({"trace", "debug", "info", "warning", "error", "off"}))
       ->capture_default_str();
   app.add_option("--log-format", arguments.log_format, "text, or json: one object a line")
-      ->check(CLI::IsMember({"text", "json"}))
+      ->check(gonio::arguments::one_of({"text", "json"}))
       ->capture_default_str();
 }
 
@@ -125,6 +142,12 @@ sigset_t block_stop_signals() {
   return signals;
 }
 
+// What is wrong with the arguments shows as such, all else as a failure.
+int exit_code_at_start(const gonio::Error& error) {
+  return gonio::exit_code_of(error) == gonio::exit_bad_input ? gonio::exit_bad_input
+                                                             : gonio::exit_failed;
+}
+
 int serve(Arguments& arguments, const sigset_t& signals) {
   arguments.server.max_message_bytes = arguments.max_message_mb << 20;
   arguments.server.memory_quota_bytes = arguments.memory_quota_mb << 20;
@@ -142,7 +165,7 @@ int serve(Arguments& arguments, const sigset_t& signals) {
     // Whoever wants no log still has to learn why there is no server.
     if (!logger.should_log(spdlog::level::err))
       std::fprintf(stderr, "goniod: error: %s\n", server.error().message.c_str());
-    return kFailed;
+    return exit_code_at_start(server.error());
   }
   int signal = 0;
   sigwait(&signals, &signal);
@@ -150,6 +173,14 @@ int serve(Arguments& arguments, const sigset_t& signals) {
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
   (*server)->shutdown(to_milliseconds(arguments.grace_seconds));
   return 0;
+}
+
+// What is printed in place of serving; empty: nothing.
+std::string text_of(CLI::App& app, const Arguments& arguments) {
+  if (!arguments.completion.empty())
+    return gonio::arguments::completion_script(app, arguments.completion);
+  if (!arguments.man_page) return {};
+  return gonio::arguments::man_page(app, "", std::string("gonio ") + gonio::kVersion);
 }
 
 }  // namespace
@@ -162,13 +193,21 @@ int main(int argc, char** argv) try {
   try {
     app.parse(argc, argv);
     check(arguments);
+  } catch (const CLI::Success& wanted) {  // --help, --version
+    return app.exit(wanted);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kWrongUsage;
+    std::fprintf(stderr, "goniod: error: %s\n%s\n", gonio::arguments::misuse(app, error).c_str(),
+                 gonio::arguments::where_to_read(app).c_str());
+    return gonio::exit_bad_input;
+  }
+  if (const std::string text = text_of(app, arguments); !text.empty()) {
+    std::fputs(text.c_str(), stdout);
+    return gonio::exit_ok;
   }
   gonio::keep_freed_memory();
   const sigset_t signals = block_stop_signals();
   return serve(arguments, signals);
 } catch (const std::exception& error) {  // out of memory, or of threads
   std::fprintf(stderr, "goniod: error: %s\n", error.what());
-  return kFailed;
+  return gonio::exit_failed;
 }

@@ -12,6 +12,8 @@
 #include "client/cli/exit_codes.h"
 #include "client/cli/output_file.h"
 #include "client/lobe/slices.h"
+#include "server/arguments/words.h"
+#include "server/preset_material.h"
 
 namespace gonio::cli {
 namespace {
@@ -58,6 +60,8 @@ Outcome check(const CompareArguments& arguments) {
   std::vector<NamedFile> inputs{{"--reference", arguments.reference}};
   for (const std::string& material : arguments.materials)
     inputs.push_back({"--material", material});
+  if (auto apart = check_standard_input(inputs); !apart) return apart;
+  if (auto json = check_extension({"--report", arguments.report}, {".json"}); !json) return json;
   return check_outputs({{"--slices", arguments.slices},
                         {"--render", arguments.render},
                         {"--report", arguments.report}},
@@ -123,7 +127,8 @@ Command add_compare_command(CLI::App& app) {
       ->add_option("--material,-m", arguments->materials,
                    "Materials: JSON or files, as for 'gonio evaluate'; one or more")
       ->type_name("M...")
-      ->required();
+      ->required()
+      ->check(arguments::suggest(preset_names()));
   command->add_flag("--deg", arguments->degrees, "Angles of a CSV are in degrees");
   command->add_option("--slices", arguments->slices, "Where a picture of slices goes, a .png")
       ->type_name("OUT");

@@ -7,13 +7,17 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/near_names.h"
+#include "client/cli/input/file_kind.h"
+
 namespace gonio::cli {
 
 Result<JsonObject> read_object(const std::string& file, const char* what) {
   std::error_code ignored;
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file, ignored))
-    return bad_value(what, file, "a JSON file that can be read", ErrorCode::not_found);
+    return bad_value(what, file, "a JSON file that can be read" + near_files(file),
+                     ErrorCode::not_found);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     return bad_value(what, file + ", which is empty", "a JSON object");
@@ -38,7 +42,7 @@ Outcome check_names(const JsonObject& object, std::span<const std::string_view> 
   for (const std::string_view name : known) all += (all.empty() ? "" : ", ") + std::string(name);
   for (const auto& [name, value] : object.fields()) {
     if (std::find(known.begin(), known.end(), name) == known.end())
-      return bad_value(prefix + name, "not a field", all);
+      return bad_value(prefix + name, "not a field", all + did_you_mean(name, known));
   }
   return Ok{};
 }

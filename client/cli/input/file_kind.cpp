@@ -1,0 +1,240 @@
+#include "client/cli/input/file_kind.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "base/near_names.h"
+#include "gonio/base/shown.h"
+#include "gonio/measured/table.h"
+
+namespace gonio::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kBeginning = 4096;
+constexpr std::size_t kMostNeighbours = 2000;  // files of a folder that are looked at
+
+bool begins_with(std::string_view text, std::string_view start) {
+  return text.substr(0, start.size()) == start;
+}
+
+bool holds(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
+// Formats that say what they are in their first bytes.
+std::optional<FileKind> by_magic(std::string_view bytes) {
+  struct Magic {
+    std::string_view start;
+    FileKind kind;
+  };
+  constexpr Magic kMagics[] = {{"\x93NUMPY", FileKind::npy},
+                               {"tensor_file", FileKind::rgl},
+                               {"\x89PNG", FileKind::picture},
+                               {"\x76\x2f\x31\x01", FileKind::picture},
+                               {"PF\n", FileKind::picture},
+                               {"Pf\n", FileKind::picture},
+                               {"PK\x03\x04", FileKind::spreadsheet},
+                               {"\xd0\xcf\x11\xe0", FileKind::spreadsheet},
+                               {"\x1f\x8b", FileKind::compressed},
+                               {"\xfd"
+                                "7zXZ",
+                                FileKind::compressed},
+                               {"BZh", FileKind::compressed}};
+  for (const Magic& magic : kMagics) {
+    if (begins_with(bytes, magic.start)) return magic.kind;
+  }
+  return std::nullopt;
+}
+
+FileKind kind_of_json(std::string_view text) {
+  const auto has = [&](const char* key) { return holds(text, std::string("\"") + key + "\""); };
+  if (has("tolerance") || has("histogram") || has("theta_i")) return FileKind::scene_json;
+  const bool material = has("model") || has("specular") || has("diffuse") || has("name");
+  return material ? FileKind::material_json : FileKind::other_json;
+}
+
+FileKind kind_of_table(std::string_view first_line) {
+  const std::string header = lower(first_line);
+  const bool pairs = holds(header, "wi_x") || holds(header, "theta_i");
+  if (!pairs) return FileKind::unknown;
+  return holds(header, "f_0") ? FileKind::csv_values : FileKind::csv_pairs;
+}
+
+// Cornell's text begins with four counts, of which nothing else is made.
+bool is_cornell(std::string_view first_line) {
+  std::size_t numbers = 0;
+  bool within = false;
+  for (const char c : first_line) {
+    const bool part = (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+';
+    if (!part && c != ' ' && c != '\t' && c != '\r') return false;
+    if (part && !within) ++numbers;
+    within = part;
+  }
+  return numbers > 0;
+}
+
+bool is_text(std::string_view bytes) {
+  return std::none_of(bytes.begin(), bytes.end(), [](unsigned char c) {
+    return c < ' ' && c != '\n' && c != '\r' && c != '\t' && c != '\f';
+  });
+}
+
+FileKind kind_of_text(std::string_view text) {
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  if (start == std::string_view::npos) return FileKind::unknown;
+  text.remove_prefix(start);
+  if (text.front() == '{') return kind_of_json(text);
+  const std::string_view first = text.substr(0, text.find_first_of("\r\n"));
+  const std::string all = lower(text);
+  if (holds(all, "#dim") || holds(all, "#param_in")) return FileKind::alta;
+  if (holds(all, "angleofincidence") || holds(all, "scattertype")) return FileKind::zemax;
+  if (const FileKind table = kind_of_table(first); table != FileKind::unknown) return table;
+  return is_cornell(first) || begins_with(text, "#!") ? FileKind::cornell : FileKind::unknown;
+}
+
+struct Described {
+  const char* what;
+  const char* use;  // FILE stands for its name
+};
+
+Described described(FileKind kind) {
+  switch (kind) {
+    case FileKind::material_json:
+      return {"a material's JSON", "gonio evaluate --material FILE, gonio render --material FILE"};
+    case FileKind::scene_json:
+      return {"a scene's JSON", "gonio select --scene FILE"};
+    case FileKind::merl:
+      return {"a measured table (MERL)",
+              "gonio evaluate --material FILE, gonio fit --data FILE, if it is named .binary"};
+    case FileKind::rgl:
+      return {"measurements of the RGL database",
+              "gonio fit --data FILE, gonio compare --reference FILE, if it is named .bsdf"};
+    case FileKind::cornell:
+      return {"a goniometer's text (Cornell)",
+              "gonio fit --data FILE, gonio compare --reference FILE, if it is named .brdf"};
+    case FileKind::alta:
+      return {"measurements as ALTA's text",
+              "gonio fit --data FILE, gonio compare --reference FILE, if it is named .alta"};
+    case FileKind::zemax:
+      return {"a Zemax BSDF text",
+              "no command yet: write its values as CSV (theta_i,phi_i,theta_o,phi_o,f_0) for "
+              "gonio fit --data"};
+    case FileKind::npy:
+      return {"a NumPy array",
+              "gonio evaluate --pairs FILE (N x 6), gonio fit --data FILE (N x 7 and more)"};
+    case FileKind::csv_values:
+      return {"directions and values as CSV",
+              "gonio fit --data FILE, gonio compare --reference FILE"};
+    case FileKind::csv_pairs:
+      return {"directions as CSV", "gonio evaluate --pairs FILE"};
+    case FileKind::picture:
+      return {"a picture", "gonio render --light FILE, if it is a map as .exr or .pfm"};
+    case FileKind::spreadsheet:
+      return {"a spreadsheet or a ZIP archive",
+              "no command: save it as CSV for gonio fit --data or gonio evaluate --pairs"};
+    case FileKind::compressed:
+      return {"a compressed file", "no command: unpack it first"};
+    case FileKind::other_json:
+      return {"JSON of something else", "no command"};
+    case FileKind::unknown:
+      break;
+  }
+  return {"of a kind that is not known", "no command"};
+}
+
+}  // namespace
+
+FileKind kind_of_content(const std::string& beginning, std::uint64_t size) {
+  if (const auto magic = by_magic(beginning)) return *magic;
+  if (size == MeasuredTable::kFileBytes) return FileKind::merl;
+  std::string_view text = beginning;
+  if (begins_with(text, "\xEF\xBB\xBF")) text.remove_prefix(3);
+  return is_text(text) ? kind_of_text(text) : FileKind::unknown;
+}
+
+std::optional<FileKind> kind_of_file(const std::string& file) {
+  std::error_code failed;
+  if (!fs::is_regular_file(file, failed)) return std::nullopt;
+  const std::uint64_t size = fs::file_size(file, failed);
+  std::ifstream in(file, std::ios::binary);
+  if (failed || !in) return std::nullopt;
+  std::string beginning(kBeginning, '\0');
+  in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(in.gcount()));
+  return kind_of_content(beginning, size);
+}
+
+std::string description_of(FileKind kind) { return described(kind).what; }
+
+std::string use_of(FileKind kind, const std::string& file) {
+  std::string text = described(kind).use;
+  const std::string name = shown(file, kQuotedLength);
+  for (std::size_t at = text.find("FILE"); at != std::string::npos; at = text.find("FILE", at)) {
+    text.replace(at, 4, name);
+    at += name.size();
+  }
+  return text;
+}
+
+Error wrong_kind(const std::string& option, const std::string& file, FileKind kind,
+                 const std::string& wanted) {
+  Error error = bad_value(option, "\"" + file + "\", " + description_of(kind), wanted);
+  error.message = shown(file, kQuotedLength) + " is " + description_of(kind) + ", not " + wanted +
+                  "; what takes it: " + use_of(kind, file);
+  return error;
+}
+
+std::string extension_of(const std::string& file) {
+  return lower(fs::path(file).extension().string());
+}
+
+bool holds_pairs(const std::string& file) {
+  constexpr std::array<std::string_view, 6> kExtensions{".brdf", ".bsdf", ".dat",
+                                                        ".alta", ".csv",  ".npy"};
+  switch (kind_of_file(file).value_or(FileKind::unknown)) {
+    case FileKind::rgl:
+    case FileKind::cornell:
+    case FileKind::alta:
+    case FileKind::npy:
+    case FileKind::csv_values:
+      return true;
+    case FileKind::material_json:
+    case FileKind::merl:
+      return false;
+    default:
+      break;
+  }
+  const std::string extension = extension_of(file);
+  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
+
+std::string near_files(const std::string& file) {
+  const fs::path path(file);
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::error_code failed;
+  std::vector<std::string> names;
+  for (fs::directory_iterator entry(folder, failed), end;
+       !failed && entry != end && names.size() < kMostNeighbours; entry.increment(failed)) {
+    std::error_code ignored;
+    if (entry->is_regular_file(ignored)) names.push_back(entry->path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return did_you_mean(path.filename().string(), std::span<const std::string>(names));
+}
+
+}  // namespace gonio::cli
