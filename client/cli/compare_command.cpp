@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "client/cli/comparison.h"
 #include "client/cli/connection.h"
 #include "client/cli/exit_codes.h"
+#include "client/cli/input/file_kind.h"
 #include "client/cli/output_file.h"
 #include "client/lobe/slices.h"
 #include "server/arguments/words.h"
@@ -45,7 +45,7 @@ struct CompareArguments {
 Outcome check_picture(const std::string& option, const std::string& file, std::size_t materials,
                       std::size_t most) {
   if (file.empty()) return Ok{};
-  if (std::filesystem::path(file).extension() != ".png")
+  if (extension_of(file) != ".png")
     return bad_value(option, "\"" + file + "\"", "a file that ends in .png");
   if (materials <= most) return Ok{};
   return bad_value("--material", std::to_string(materials) + " materials, with " + option,

@@ -93,9 +93,7 @@ Result<MeasuredInput> read_table(const std::string& file, bool degrees) {
   return weighed(std::move(input));
 }
 
-}  // namespace
-
-Result<MeasuredInput> read_measured(const std::string& file, bool keep_tables, bool degrees) {
+Result<MeasuredInput> read_any(const std::string& file, bool keep_tables, bool degrees) {
   switch (const FileKind format = format_of(file)) {
     case FileKind::merl: {
       if (!keep_tables) return from_merl(file);
@@ -119,6 +117,14 @@ Result<MeasuredInput> read_measured(const std::string& file, bool keep_tables, b
     default:
       return wrong_kind("--data", file, format, "measured reflectance");
   }
+}
+
+}  // namespace
+
+Result<MeasuredInput> read_measured(const std::string& file, bool keep_tables, bool degrees) {
+  auto input = read_any(file, keep_tables, degrees);
+  if (!input) return or_near_file(input.error(), file);
+  return input;
 }
 
 Result<MeasuredInput> read_data(const std::string& data, bool embedded, bool degrees) {

@@ -23,7 +23,7 @@ Result<std::unique_ptr<PairInput<T>>> open_pairs(InputKind what, const std::stri
   if (const auto kind = kind_of_file(file); kind && !holds_directions(*kind))
     return wrong_kind(argument_of(what), file, *kind, "directions");
   auto source = ByteSource::open(file);
-  if (!source) return std::move(source).error();
+  if (!source) return or_near_file(source.error(), file);
   auto start = source->peek(kNpyMagic.size());
   if (!start) return start.error();
   if (*start == kNpyMagic) return open_npy<T>(what, std::move(source).value());

@@ -9,8 +9,6 @@
 #include <system_error>
 #include <vector>
 
-#include "base/near_names.h"
-#include "gonio/base/shown.h"
 #include "gonio/measured/table.h"
 
 namespace gonio::cli {
@@ -19,7 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kBeginning = 4096;
-constexpr std::size_t kMostNeighbours = 2000;  // files of a folder that are looked at
 
 bool begins_with(std::string_view text, std::string_view start) {
   return text.substr(0, start.size()) == start;
@@ -107,56 +104,6 @@ FileKind kind_of_text(std::string_view text) {
   return is_cornell(first) || begins_with(text, "#!") ? FileKind::cornell : FileKind::unknown;
 }
 
-struct Described {
-  const char* what;
-  const char* use;  // FILE stands for its name
-};
-
-Described described(FileKind kind) {
-  switch (kind) {
-    case FileKind::material_json:
-      return {"a material's JSON", "gonio evaluate --material FILE, gonio render --material FILE"};
-    case FileKind::scene_json:
-      return {"a scene's JSON", "gonio select --scene FILE"};
-    case FileKind::merl:
-      return {"a measured table (MERL)",
-              "gonio evaluate --material FILE, gonio fit --data FILE, if it is named .binary"};
-    case FileKind::rgl:
-      return {"measurements of the RGL database",
-              "gonio fit --data FILE, gonio compare --reference FILE, if it is named .bsdf"};
-    case FileKind::cornell:
-      return {"a goniometer's text (Cornell)",
-              "gonio fit --data FILE, gonio compare --reference FILE, if it is named .brdf"};
-    case FileKind::alta:
-      return {"measurements as ALTA's text",
-              "gonio fit --data FILE, gonio compare --reference FILE, if it is named .alta"};
-    case FileKind::zemax:
-      return {"a Zemax BSDF text",
-              "no command yet: write its values as CSV (theta_i,phi_i,theta_o,phi_o,f_0) for "
-              "gonio fit --data"};
-    case FileKind::npy:
-      return {"a NumPy array",
-              "gonio evaluate --pairs FILE (N x 6), gonio fit --data FILE (N x 7 and more)"};
-    case FileKind::csv_values:
-      return {"directions and values as CSV",
-              "gonio fit --data FILE, gonio compare --reference FILE"};
-    case FileKind::csv_pairs:
-      return {"directions as CSV", "gonio evaluate --pairs FILE"};
-    case FileKind::picture:
-      return {"a picture", "gonio render --light FILE, if it is a map as .exr or .pfm"};
-    case FileKind::spreadsheet:
-      return {"a spreadsheet or a ZIP archive",
-              "no command: save it as CSV for gonio fit --data or gonio evaluate --pairs"};
-    case FileKind::compressed:
-      return {"a compressed file", "no command: unpack it first"};
-    case FileKind::other_json:
-      return {"JSON of something else", "no command"};
-    case FileKind::unknown:
-      break;
-  }
-  return {"of a kind that is not known", "no command"};
-}
-
 }  // namespace
 
 FileKind kind_of_content(const std::string& beginning, std::uint64_t size) {
@@ -177,26 +124,6 @@ std::optional<FileKind> kind_of_file(const std::string& file) {
   in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
   beginning.resize(static_cast<std::size_t>(in.gcount()));
   return kind_of_content(beginning, size);
-}
-
-std::string description_of(FileKind kind) { return described(kind).what; }
-
-std::string use_of(FileKind kind, const std::string& file) {
-  std::string text = described(kind).use;
-  const std::string name = shown(file, kQuotedLength);
-  for (std::size_t at = text.find("FILE"); at != std::string::npos; at = text.find("FILE", at)) {
-    text.replace(at, 4, name);
-    at += name.size();
-  }
-  return text;
-}
-
-Error wrong_kind(const std::string& option, const std::string& file, FileKind kind,
-                 const std::string& wanted) {
-  Error error = bad_value(option, "\"" + file + "\", " + description_of(kind), wanted);
-  error.message = shown(file, kQuotedLength) + " is " + description_of(kind) + ", not " + wanted +
-                  "; what takes it: " + use_of(kind, file);
-  return error;
 }
 
 std::string extension_of(const std::string& file) {
@@ -221,20 +148,6 @@ bool holds_pairs(const std::string& file) {
   }
   const std::string extension = extension_of(file);
   return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
-}
-
-std::string near_files(const std::string& file) {
-  const fs::path path(file);
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  std::error_code failed;
-  std::vector<std::string> names;
-  for (fs::directory_iterator entry(folder, failed), end;
-       !failed && entry != end && names.size() < kMostNeighbours; entry.increment(failed)) {
-    std::error_code ignored;
-    if (entry->is_regular_file(ignored)) names.push_back(entry->path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
-  return did_you_mean(path.filename().string(), std::span<const std::string>(names));
 }
 
 }  // namespace gonio::cli

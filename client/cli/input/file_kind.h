@@ -51,5 +51,7 @@ std::string extension_of(const std::string& file);
 
 // "; did you mean \"gold.json\"?", of the files beside the one that is not there, or nothing.
 std::string near_files(const std::string& file);
+// The same at the end of an error that says that there is no such file.
+Error or_near_file(Error error, const std::string& file);
 
 }  // namespace gonio::cli
