@@ -43,14 +43,16 @@ std::string option_names(CLI::App& app) {
   return joined(names, " ");
 }
 
-// The words of positional arguments, such as the models of `gonio models`.
+// "words='ggx ward'" of positional arguments, such as the models of `gonio models`.
 std::string positional_words(CLI::App& app) {
   std::vector<std::string> words;
+  bool only = false;
   for (CLI::Option* option : app.get_options()) {
     if (option->nonpositional()) continue;
     for (const std::string& word : words_of(*option)) words.push_back(word);
+    only = only || takes_only_words(*option);
   }
-  return joined(words, " ");
+  return "words=" + quoted(joined(words, " ")) + (only ? " only=1" : "");
 }
 
 // "    (evaluate:--isa) words='auto baseline' only=1 ;;" for each option that takes a value.
@@ -100,7 +102,7 @@ std::string bash_script(CLI::App& app) {
     names.push_back(command->get_name());
     values += value_cases(*command, command->get_name());
     options += "      (" + command->get_name() + ") options=" + quoted(option_names(*command)) +
-               " words=" + quoted(positional_words(*command)) + " ;;\n";
+               " " + positional_words(*command) + " ;;\n";
   }
   std::string text =
       "# Completion for " + name + ", made by the program itself.\n_" + name + "() {";

@@ -156,7 +156,7 @@ TEST_F(Kinds, TablesAreThereAsJson) {
                                   HasSubstr("\"above_80\": {\"pairs\": 0, \"l1\": null")));
   EXPECT_THAT(run("gonio albedo -m grey.json --theta 30 --count 100 --json").out,
               HasSubstr("\"albedos\": ["));
-  run("gonio albedo -m grey.json --theta 30 --count 100 -o a.json");
+  EXPECT_EQ(run("gonio albedo -m grey.json --theta 30 --count 100 -o a.json").exit_code, 0);
   EXPECT_THAT(read_file(folder_ / "a.json"), HasSubstr("\"albedos\": ["));
   EXPECT_THAT(run("gonio models --presets --json").out,
               AllOf(HasSubstr("\"name\": \"gold\""), HasSubstr("\"partner\": \"k\"")));

@@ -69,7 +69,7 @@ TEST_F(Names, TheNearestIsAskedFor) {
        "30 degrees are 0.5235"},
       {material + R"('{"name": "coper"}')", "mean \"copper\"?"},
       {material + "coper", "mean \"copper\"?"},
-      {material + "gold.jso", "mean \"gold.json\"?"},
+      {material + "gol.json", "mean \"gold.json\"?"},
       {material + "./glod.json", "mean \"gold.json\"?"},
       {"gonio evaluate -m gold.json --grid theta_j=0", "mean \"theta_i\"?"},
       {"gonio models GGX", "mean \"ggx\"?"},
@@ -80,7 +80,7 @@ TEST_F(Names, TheNearestIsAskedFor) {
       {"gonio fit --data data.csv --model ggx --base Lambertian", "mean \"lambertian\"?"},
       {"gonio fit --data data.csv --model ggx --objective l3", "mean \"l1\"?"},
       {"gonio chart -o chart --parts wires", "mean \"wire\"?"},
-      {"gonio completion bsh", "mean \"bash\"?"},
+      {"gonio completion bahs", "mean \"bash\"?"},
   };
   for (const auto& [line, asked] : cases) EXPECT_THAT(said(line), HasSubstr(asked)) << line;
 }

@@ -46,11 +46,11 @@ bool is_line(const std::vector<std::uint8_t>& rgb, int x, int y) {
 }
 
 // The longest run of the line's colour in a row below the legend, and that row.
-struct Run {
+struct Stretch {
   int length = 0, row = 0;
 };
-Run longest_run(const std::vector<std::uint8_t>& rgb) {
-  Run longest;
+Stretch longest_run(const std::vector<std::uint8_t>& rgb) {
+  Stretch longest;
   for (int y = kLegend; y < kHeight; ++y) {
     int length = 0;
     for (int x = 0; x < kWidth; ++x) {
@@ -63,7 +63,7 @@ Run longest_run(const std::vector<std::uint8_t>& rgb) {
 
 TEST(Slices, ALineBeyondTheRangeLeavesTheFrame) {
   const auto rgb = drawn(0.1, 0.9, [](int theta) { return std::abs(theta) < 20 ? 1e6 : 0.0; });
-  const Run run = longest_run(rgb);
+  const Stretch run = longest_run(rgb);
   EXPECT_GT(run.length, 0);  // where it comes and goes
   EXPECT_LT(run.length, 10) << "along row " << run.row;
 }

@@ -36,11 +36,11 @@ FileKind kind_of_content(const std::string& beginning, std::uint64_t size);
 
 // "a measured table (MERL's .binary)"
 std::string description_of(FileKind kind);
-// "gonio evaluate --material FILE, gonio fit --data FILE"; for what nothing takes, what to do.
+// "it is for gonio evaluate --material FILE"; of what nothing takes, what to do.
 std::string use_of(FileKind kind, const std::string& file);
 
-// "FILE is a goniometer's text (Cornell), no material; it is for: gonio fit --data FILE". `wanted`
-// says what was expected: "a material".
+// "FILE is a goniometer's text (Cornell), not a material; it is for gonio fit --data FILE".
+// `wanted` says what was expected: "a material".
 Error wrong_kind(const std::string& option, const std::string& file, FileKind kind,
                  const std::string& wanted);
 

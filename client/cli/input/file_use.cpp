@@ -25,46 +25,49 @@ struct Described {
 Described described(FileKind kind) {
   switch (kind) {
     case FileKind::material_json:
-      return {"a material's JSON", "gonio evaluate --material FILE, gonio render --material FILE"};
+      return {"a material's JSON",
+              "it is for gonio evaluate --material FILE, gonio render --material FILE"};
     case FileKind::scene_json:
-      return {"a scene's JSON", "gonio select --scene FILE"};
+      return {"a scene's JSON", "it is for gonio select --scene FILE"};
     case FileKind::merl:
       return {"a measured table (MERL)",
-              "gonio evaluate --material FILE, gonio fit --data FILE, if it is named .binary"};
+              "it is for gonio evaluate --material FILE, gonio fit --data FILE, if it is named "
+              ".binary"};
     case FileKind::rgl:
       return {"measurements of the RGL database",
-              "gonio fit --data FILE, gonio compare --reference FILE, if it is named .bsdf"};
+              "it is for gonio fit --data FILE, gonio compare --reference FILE"};
     case FileKind::cornell:
       return {"a goniometer's text (Cornell)",
-              "gonio fit --data FILE, gonio compare --reference FILE, if it is named .brdf"};
+              "it is for gonio fit --data FILE, gonio compare --reference FILE"};
     case FileKind::alta:
       return {"measurements as ALTA's text",
-              "gonio fit --data FILE, gonio compare --reference FILE, if it is named .alta"};
+              "it is for gonio fit --data FILE, gonio compare --reference FILE"};
     case FileKind::zemax:
       return {"a Zemax BSDF text",
-              "no command yet: write its values as CSV (theta_i,phi_i,theta_o,phi_o,f_0) for "
+              "nothing takes it yet: write its values as CSV (theta_i,phi_i,theta_o,phi_o,f_0) for "
               "gonio fit --data"};
     case FileKind::npy:
-      return {"a NumPy array",
-              "gonio evaluate --pairs FILE (N x 6), gonio fit --data FILE (N x 7 and more)"};
+      return {
+          "a NumPy array",
+          "it is for gonio evaluate --pairs FILE (N x 6), gonio fit --data FILE (N x 7 and more)"};
     case FileKind::csv_values:
       return {"directions and values as CSV",
-              "gonio fit --data FILE, gonio compare --reference FILE"};
+              "it is for gonio fit --data FILE, gonio compare --reference FILE"};
     case FileKind::csv_pairs:
-      return {"directions as CSV", "gonio evaluate --pairs FILE"};
+      return {"directions as CSV", "it is for gonio evaluate --pairs FILE"};
     case FileKind::picture:
-      return {"a picture", "gonio render --light FILE, if it is a map as .exr or .pfm"};
+      return {"a picture", "it is for gonio render --light FILE, if it is a map as .exr or .pfm"};
     case FileKind::spreadsheet:
       return {"a spreadsheet or a ZIP archive",
-              "no command: save it as CSV for gonio fit --data or gonio evaluate --pairs"};
+              "nothing takes it: save it as CSV for gonio fit --data or gonio evaluate --pairs"};
     case FileKind::compressed:
-      return {"a compressed file", "no command: unpack it first"};
+      return {"a compressed file", "nothing takes it: unpack it first"};
     case FileKind::other_json:
-      return {"JSON of something else", "no command"};
+      return {"JSON of something else", "nothing takes it"};
     case FileKind::unknown:
       break;
   }
-  return {"of a kind that is not known", "no command"};
+  return {"of a kind that is not known", "nothing takes it"};
 }
 
 }  // namespace
@@ -85,7 +88,7 @@ Error wrong_kind(const std::string& option, const std::string& file, FileKind ki
                  const std::string& wanted) {
   Error error = bad_value(option, "\"" + file + "\", " + description_of(kind), wanted);
   error.message = shown(file, kQuotedLength) + " is " + description_of(kind) + ", not " + wanted +
-                  "; what takes it: " + use_of(kind, file);
+                  "; " + use_of(kind, file);
   return error;
 }
 

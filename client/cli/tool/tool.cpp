@@ -54,7 +54,6 @@ std::string program_version() { return std::string(kProgram) + " " + kVersion; }
 std::vector<Command> add_commands(CLI::App& app) {
   app.name(kProgram);
   app.description(kDescription);
-  app.footer(kExamples + exit_status_of("select"));
   app.set_version_flag("--version", program_version());
   app.require_subcommand(1);
   app.get_formatter()->column_width(30);
@@ -66,8 +65,11 @@ std::vector<Command> add_commands(CLI::App& app) {
       add_completion_command(app), add_man_command(app)};
   for (const Command& command : commands) {
     CLI::App& arguments = *command.arguments;
-    arguments.footer(arguments.get_footer() + "\n\n" + exit_status_of(arguments.get_name()));
+    const std::string footer = arguments.get_footer();
+    arguments.footer((footer.empty() ? "\n" : footer + "\n\n") +
+                     exit_status_of(arguments.get_name()));
   }
+  app.footer(kExamples + exit_status_of("select"));  // last: a command would inherit it
   return commands;
 }
 
