@@ -52,6 +52,7 @@ class Materials {
   void allow_puts(std::size_t quota_bytes);
 
   [[nodiscard]] std::vector<std::string> names() const;  // sorted
+  [[nodiscard]] bool holds(std::string_view name) const;
 
   // Whether put() of this name and sum may succeed. Errors: invalid_argument for a name of other
   // than 1 to 100 letters, digits, '-' and '_'; already_exists for one that is taken, unless by a

@@ -61,11 +61,13 @@ Outcome check(const CompareArguments& arguments) {
   for (const std::string& material : arguments.materials)
     inputs.push_back({"--material", material});
   if (auto apart = check_standard_input(inputs); !apart) return apart;
-  if (auto json = check_extension({"--report", arguments.report}, {".json"}); !json) return json;
-  return check_outputs({{"--slices", arguments.slices},
-                        {"--render", arguments.render},
-                        {"--report", arguments.report}},
-                       inputs);
+  if (auto apart = check_outputs({{"--slices", arguments.slices},
+                                  {"--render", arguments.render},
+                                  {"--report", arguments.report}},
+                                 inputs);
+      !apart)
+    return apart;
+  return check_extension({"--report", arguments.report}, {".json"});
 }
 
 Outcome write(const std::string& file, const Result<std::string>& content) {

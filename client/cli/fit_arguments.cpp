@@ -41,7 +41,7 @@ data cannot tell the parameters apart; failed. Errors, over all data: l1 is sum 
 m cos, rmse of f cos in 1/sr, log and cbrt the differences of log(1 + f cos) and of cube roots; each
 for all pairs, for both angles up to 80 degrees, and for the rest.
 
-Exit status 1 if every verdict is failed; then nothing is written with -o.
+Exit status 1 if every verdict is failed, 2 if no pair can be used; then nothing is written with -o.
 
 Examples:
   gonio fit --data nickel.binary --model cook_torrance --max-theta 80 -o nickel.json

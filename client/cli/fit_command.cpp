@@ -88,12 +88,12 @@ struct Outputs {
 Result<Outputs> open_outputs(const FitArguments& arguments) {
   std::vector<NamedFile> files{{"--output", arguments.output}};
   for (const std::string& report : arguments.reports) files.push_back({"--report", report});
+  if (auto apart = check_outputs(files, {{"--data", arguments.data}}); !apart) return apart.error();
   if (auto json = check_extension(files.front(), {".json"}); !json) return json.error();
   for (const std::string& report : arguments.reports) {
     if (auto known = check_extension({"--report", report}, {".json", ".md"}); !known)
       return known.error();
   }
-  if (auto apart = check_outputs(files, {{"--data", arguments.data}}); !apart) return apart.error();
   Outputs outputs;
   if (!arguments.output.empty()) {
     auto file = OutputFile::open(arguments.output);

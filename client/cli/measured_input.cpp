@@ -72,9 +72,7 @@ Result<MeasuredInput> from_merl(const std::string& file) {
 FileKind format_of(const std::string& file) {
   const FileKind kind = kind_of_file(file).value_or(FileKind::unknown);
   const std::string extension = extension_of(file);
-  const bool numbers_alone =
-      kind == FileKind::cornell && (extension == ".csv" || extension == ".txt");
-  if (kind != FileKind::unknown && !numbers_alone) return kind;
+  if (kind != FileKind::unknown) return kind;
   if (extension == ".binary") return FileKind::merl;
   if (extension == ".brdf") return FileKind::cornell;
   if (extension == ".dat" || extension == ".alta") return FileKind::alta;

@@ -9,10 +9,10 @@
 namespace gonio::cli {
 namespace {
 
-// As far as its beginning says. Numbers alone may be CSV without a header: its reader says that.
+// As far as its beginning says.
 bool holds_directions(FileKind kind) {
   return kind == FileKind::csv_pairs || kind == FileKind::csv_values || kind == FileKind::npy ||
-         kind == FileKind::cornell || kind == FileKind::unknown;
+         kind == FileKind::unknown;
 }
 
 }  // namespace

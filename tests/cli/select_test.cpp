@@ -21,7 +21,7 @@ TEST_F(SelectCommand, PrintsTheFrontAndWritesTheChoice) {
   EXPECT_THAT(result.out,
               AllOf(HasSubstr("candidate"), HasSubstr("\n* "), HasSubstr("searched"),
                     HasSubstr("chosen; certified "), HasSubstr("has a certified error of"),
-                    HasSubstr("Searched: the error"), HasSubstr("the tolerance is 0.6"),
+                    HasSubstr("Searched: the error"), HasSubstr("the tolerance\nis 0.6."),
                     HasSubstr("no better than"), HasSubstr("oren_nayar:full")));
   EXPECT_TRUE(json(read_file(folder_ / "out.json")).fields().contains("model"));
   const auto report = json(read_file(folder_ / "r.json"));

@@ -72,19 +72,6 @@ FileKind kind_of_table(std::string_view first_line) {
   return holds(header, "f_0") ? FileKind::csv_values : FileKind::csv_pairs;
 }
 
-// Cornell's text begins with four counts, of which nothing else is made.
-bool is_cornell(std::string_view first_line) {
-  std::size_t numbers = 0;
-  bool within = false;
-  for (const char c : first_line) {
-    const bool part = (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+';
-    if (!part && c != ' ' && c != '\t' && c != '\r') return false;
-    if (part && !within) ++numbers;
-    within = part;
-  }
-  return numbers > 0;
-}
-
 bool is_text(std::string_view bytes) {
   return std::none_of(bytes.begin(), bytes.end(), [](unsigned char c) {
     return c < ' ' && c != '\n' && c != '\r' && c != '\t' && c != '\f';
@@ -101,7 +88,8 @@ FileKind kind_of_text(std::string_view text) {
   if (holds(all, "#dim") || holds(all, "#param_in")) return FileKind::alta;
   if (holds(all, "angleofincidence") || holds(all, "scattertype")) return FileKind::zemax;
   if (const FileKind table = kind_of_table(first); table != FileKind::unknown) return table;
-  return is_cornell(first) || begins_with(text, "#!") ? FileKind::cornell : FileKind::unknown;
+  // Its numbers alone say nothing; the database's files begin with where they come from.
+  return text.front() == '#' && holds(all, "cornell") ? FileKind::cornell : FileKind::unknown;
 }
 
 }  // namespace
