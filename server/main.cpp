@@ -1,6 +1,7 @@
 // goniod: serves material evaluation over gRPC.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -9,8 +10,13 @@
 #include <future>
 #include <string>
 
+#include "base/exit_code.h"
 #include "gonio/base/shown.h"
 #include "gonio/base/version.h"
+#include "server/arguments/completion.h"
+#include "server/arguments/man_page.h"
+#include "server/arguments/misuse.h"
+#include "server/arguments/words.h"
 #include "server/configure.h"
 #include "server/logging.h"
 #include "server/server.h"
@@ -18,8 +24,6 @@
 namespace {
 
 using std::chrono::milliseconds;
-
-constexpr int kFailed = 1, kWrongUsage = 2;
 
 struct Arguments {
   gonio::ServerOptions server;
@@ -33,6 +37,8 @@ struct Arguments {
   std::string log_format = "text";
   std::string socket_mode;
   bool check_only = false;
+  std::string completion;  // a shell, in place of serving
+  bool man_page = false;
 };
 
 // Numbers between two, both included; as a CLI::Range, but "nan" is none.
@@ -127,16 +133,27 @@ void describe_fits(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
 }
 
+// For installations: what they make of these arguments. Not part of the help.
+void describe_texts(CLI::App& app, Arguments& arguments) {
+  constexpr std::array kCodes{gonio::exit_ok, gonio::exit_failed, gonio::exit_bad_input};
+  app.footer("\n" + gonio::exit_status_text(kCodes));
+  app.add_option("--completion", arguments.completion)
+      ->check(gonio::arguments::one_of(gonio::arguments::shells()))
+      ->group("");
+  app.add_flag("--man-page", arguments.man_page)->group("");
+}
+
 void describe(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", std::string("goniod ") + gonio::kVersion);
   describe_service(app, arguments);
   describe_limits(app, arguments);
   describe_fits(app, arguments);
+  describe_texts(app, arguments);
   app.add_option("--log-level", arguments.log_level, "trace, debug, info, warning, error or off")
-      ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
+      ->check(gonio::arguments::one_of({"trace", "debug", "info", "warning", "error", "off"}))
       ->capture_default_str();
   app.add_option("--log-format", arguments.log_format, "text, or json: one object a line")
-      ->check(CLI::IsMember({"text", "json"}))
+      ->check(gonio::arguments::one_of({"text", "json"}))
       ->capture_default_str();
 }
 
@@ -170,6 +187,12 @@ sigset_t block_signals() {
   return signals;
 }
 
+// What is wrong with the arguments shows as such, all else as a failure.
+int exit_code_at_start(const gonio::Error& error) {
+  return gonio::exit_code_of(error) == gonio::exit_bad_input ? gonio::exit_bad_input
+                                                             : gonio::exit_failed;
+}
+
 // Whether SIGTERM or SIGINT comes within `time`. SIGHUP, which a terminal sends at its end and an
 // operator for a reload, ends nothing.
 bool stop_is_asked_for(const sigset_t& signals, milliseconds time, spdlog::logger& logger) {
@@ -187,7 +210,7 @@ void stop_in_turn(gonio::Server& server, milliseconds grace, const sigset_t& sig
   bool hurried = false;
   while (stopped.wait_for(milliseconds(0)) != std::future_status::ready) {
     if (!stop_is_asked_for(signals, milliseconds(10), logger)) continue;
-    if (hurried) std::_Exit(kFailed);
+    if (hurried) std::_Exit(gonio::exit_failed);
     logger.info("asked to stop again: cancels the calls under way");
     server.hurry();
     hurried = true;
@@ -213,7 +236,7 @@ int fail(const gonio::Error& error, spdlog::logger& logger) {
   logger.error("{}", error.message);
   if (!logger.should_log(spdlog::level::err))
     std::fprintf(stderr, "goniod: error: %s\n", gonio::shown(error.message).c_str());
-  return error.code == gonio::ErrorCode::invalid_argument ? kWrongUsage : kFailed;
+  return exit_code_at_start(error);
 }
 
 int serve(const Arguments& arguments, const sigset_t& signals) {
@@ -231,12 +254,12 @@ int serve(const Arguments& arguments, const sigset_t& signals) {
   return 0;
 }
 
-// As CLI11 does, but what it quotes of the command line is shown.
-int exit_of(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error);
-  std::fprintf(stderr, "goniod: error: %s\nRun goniod --help for the options.\n",
-               gonio::shown(error.what()).c_str());
-  return kWrongUsage;
+// What is printed in place of serving; empty: nothing.
+std::string text_of(CLI::App& app, const Arguments& arguments) {
+  if (!arguments.completion.empty())
+    return gonio::arguments::completion_script(app, arguments.completion);
+  if (!arguments.man_page) return {};
+  return gonio::arguments::man_page(app, "", std::string("gonio ") + gonio::kVersion);
 }
 
 }  // namespace
@@ -252,8 +275,17 @@ int main(int argc, char** argv) try {
   try {
     app.parse(argc, argv);
     check(arguments);
+  } catch (const CLI::Success& wanted) {  // --help, --version
+    return app.exit(wanted);
   } catch (const CLI::ParseError& error) {
-    return exit_of(app, error);
+    std::fprintf(stderr, "goniod: error: %s\n%s\n",
+                 gonio::shown(gonio::arguments::misuse(app, error)).c_str(),
+                 gonio::arguments::where_to_read(app).c_str());
+    return gonio::exit_bad_input;
+  }
+  if (const std::string text = text_of(app, arguments); !text.empty()) {
+    std::fputs(text.c_str(), stdout);
+    return gonio::exit_ok;
   }
   fill_in(arguments);
   gonio::keep_freed_memory();
@@ -261,5 +293,5 @@ int main(int argc, char** argv) try {
   return serve(arguments, signals);
 } catch (const std::exception& error) {  // out of memory, or of threads
   std::fprintf(stderr, "goniod: error: %s\n", error.what());
-  return kFailed;
+  return gonio::exit_failed;
 }

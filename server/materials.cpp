@@ -160,6 +160,11 @@ std::vector<std::string> Materials::names() const {
   return names;
 }
 
+bool Materials::holds(std::string_view name) const {
+  const std::shared_lock lock(locks_->stored);
+  return find(name) != nullptr;
+}
+
 Result<PreparedMaterial> Materials::resolve(const std::optional<std::string>& bytes) const {
   if (!bytes) return build({});
   if (auto known = cache_->find(*bytes)) return *known;
@@ -181,9 +186,7 @@ Result<PreparedMaterial> Materials::resolve(const std::optional<std::string>& by
 }
 
 std::optional<v1::Material> Materials::substance_of(const v1::Material& material) const {
-  if (!is_named(material)) return std::nullopt;
-  const std::shared_lock lock(locks_->stored);
-  if (find(material.name()) != nullptr) return std::nullopt;
+  if (!is_named(material) || holds(material.name())) return std::nullopt;
   auto substance = preset_material(material.name());
   if (substance && material.has_rotation()) substance->set_rotation(material.rotation());
   return substance;

@@ -61,6 +61,7 @@ class Materials {
 
   [[nodiscard]] std::vector<std::string> names() const;  // sorted
   [[nodiscard]] const std::vector<Skipped>& skipped() const { return skipped_; }
+  [[nodiscard]] bool holds(std::string_view name) const;
 
   // Whether put() of this name and sum may succeed. Errors: invalid_argument for a name of other
   // than 1 to 100 letters, digits, '-' and '_'; already_exists for one that is taken (unless by a

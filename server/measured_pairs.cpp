@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/near_names.h"
 #include "engine/material_impl.h"
 #include "wire/message.h"
 
@@ -57,8 +58,14 @@ Result<std::shared_ptr<const MeasuredTable>> table_of(const v1::Material& measur
     return error;
   }
   auto table = material->material().impl().table;
-  if (!table) return not_measured("an analytic material");
-  return table;
+  if (table) return table;
+  const std::string& name = measured.name();
+  if (name.empty() || materials.holds(name)) return not_measured("an analytic material");
+  // A substance's name stands for no measurements.
+  return bad_value(
+      "measured.name", '"' + name + '"',
+      "a measured material that the server holds, such as: " + near_names(name, materials.names()),
+      ErrorCode::not_found);
 }
 
 }  // namespace gonio

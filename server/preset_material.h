@@ -11,8 +11,9 @@
 
 namespace gonio {
 
-// A surface of GGX microfacets of the substance, all else as when it is not given: of a conductor by
-// its complex index, else by its reflectance at normal incidence. None where there is no such preset.
+// A surface of GGX microfacets of the substance, all else as when it is not given: of a conductor
+// by its complex index, else by its reflectance at normal incidence. None where there is no such
+// preset.
 std::optional<v1::Material> preset_material(std::string_view name);
 
 // The substances' names, sorted.

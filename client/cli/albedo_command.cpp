@@ -1,15 +1,18 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>
 
 #include "client/cli/albedo_table.h"
+#include "client/cli/check_outputs.h"
 #include "client/cli/commands.h"
 #include "client/cli/common_arguments.h"
 #include "client/cli/exit_codes.h"
+#include "client/cli/input/file_kind.h"
 #include "client/cli/material_argument.h"
 #include "client/cli/number_arguments.h"
 #include "client/cli/numbers.h"
@@ -17,6 +20,7 @@
 #include "client/cli/terminal.h"
 #include "client/cli/wi_argument.h"
 #include "gonio/engine/grid.h"
+#include "server/arguments/words.h"
 
 namespace gonio::cli {
 namespace {
@@ -39,7 +43,10 @@ struct AlbedoArguments : CommonArguments {
   NumberArguments numbers{kDefaultCount};
   std::string theta;
   double phi = 0;
+  bool json = false;
 };
+
+enum class Form : std::uint8_t { text, json };
 
 // "0,30,60" in degrees.
 template <class T>
@@ -89,12 +96,28 @@ Result<std::vector<T>> read_directions(const AlbedoArguments& arguments) {
   return other ? directions_of<T>(arguments.wi) : directions_at<T>(arguments.theta, arguments.phi);
 }
 
+Result<Form> text_or_json(const AlbedoArguments& arguments) {
+  if (!arguments.format.empty() && arguments.json)
+    return bad_value("--json", "given beside --format", "one of the two");
+  if (arguments.json || arguments.format == "json") return Form::json;
+  if (!arguments.format.empty()) return Form::text;
+  const auto known = check_extension({"-o", arguments.output}, {".json", ".txt"},
+                                     "; or any with --format text or json");
+  if (!known) return known.error();
+  return extension_of(arguments.output) == ".json" ? Form::json : Form::text;
+}
+
 template <class T>
 int run(const AlbedoArguments& arguments) {
+  const auto form = text_or_json(arguments);
+  if (!form) return fail(form.error());
   auto wi = read_directions<T>(arguments);
   if (!wi) return fail(wi.error());
   auto counted = check_count(arguments.numbers, 2, wi->size() / 3);
   if (!counted) return fail(counted.error());
+  const auto apart = check_standard_input(
+      {{"--material", arguments.material}, {"--wi-file", arguments.wi.wi_file}});
+  if (!apart) return fail(apart.error());
   auto material = read_material(arguments.material, arguments.connection.server.empty());
   if (!material) return fail(material.error());
   auto connection = Connection::open(arguments.connection);
@@ -108,8 +131,8 @@ int run(const AlbedoArguments& arguments) {
                                    arguments.numbers.source(), arguments.evaluate_options());
   if (!albedos) return fail(albedos.error());
   const std::vector<double> directions(wi->begin(), wi->end());
-  Outcome written = output->write(arguments.format == "json" ? albedo_json(directions, *albedos)
-                                                             : albedo_text(directions, *albedos));
+  Outcome written = output->write(*form == Form::json ? albedo_json(directions, *albedos)
+                                                      : albedo_text(directions, *albedos));
   if (written) written = output->commit();
   if (output->reader_gone()) return exit_ok;
   if (!written) return fail(written.error());
@@ -136,9 +159,12 @@ Command add_albedo_command(CLI::App& app) {
   add_wi_options(*command, arguments->wi);
   add_number_options(*command, arguments->numbers);
   command->get_option("--count")->default_val(kDefaultCount);
-  command->add_option("--format", arguments->format, "text (the default) or json")
+  command->add_flag("--json", arguments->json, "Print JSON in place of a table");
+  command
+      ->add_option("--format", arguments->format,
+                   "text or json (as --json); else by OUT's extension, else text")
       ->type_name("F")
-      ->check(CLI::IsMember({"text", "json"}).description(""));
+      ->check(arguments::one_of({"text", "json"}));
   command
       ->add_option("-o,--output", arguments->output,
                    "Where the results go; - is stdout, the default")

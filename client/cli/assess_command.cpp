@@ -99,6 +99,8 @@ int run(AssessArguments& arguments) {
   const auto apart =
       check_outputs({{"--report", arguments.report}}, {{"--material", arguments.material}});
   if (!apart) return fail(apart.error());
+  if (auto json = check_extension({"--report", arguments.report}, {".json"}); !json)
+    return fail(json.error());
   auto material = read_material(arguments.material, arguments.connection.server.empty());
   if (!material) return fail(material.error());
   auto connection = Connection::open(arguments.connection);

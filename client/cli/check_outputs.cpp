@@ -1,9 +1,15 @@
 #include "client/cli/check_outputs.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <system_error>
+
+#include "base/near_names.h"
+#include "client/cli/input/file_kind.h"
+#include "client/cli/text.h"
 
 namespace gonio::cli {
 namespace {
@@ -39,6 +45,30 @@ Outcome check_outputs(const std::vector<NamedFile>& outputs, const std::vector<N
       return taken(output, found->second, "a file that is not read");
     const auto [other, is_new] = written.emplace(*place, output.option);
     if (!is_new) return taken(output, other->second, "another place");
+  }
+  return Ok{};
+}
+
+Outcome check_extension(const NamedFile& output, std::initializer_list<std::string_view> extensions,
+                        const std::string& or_else) {
+  const std::string extension = extension_of(output.file);
+  if (output.file == "-" || extension.empty()) return Ok{};
+  if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) return Ok{};
+  std::error_code ignored;
+  if (fs::exists(output.file, ignored) && !fs::is_regular_file(output.file, ignored)) return Ok{};
+  std::vector<std::string> allowed(extensions.begin(), extensions.end());
+  return bad_value(output.option, "\"" + output.file + "\"",
+                   "a file that ends in " + joined(allowed, " or ") + or_else +
+                       did_you_mean(extension, std::span<const std::string>(allowed)));
+}
+
+Outcome check_standard_input(const std::vector<NamedFile>& inputs) {
+  const NamedFile* first = nullptr;
+  for (const NamedFile& input : inputs) {
+    if (input.file != "-") continue;
+    if (first != nullptr)
+      return bad_value(input.option, "-, which " + first->option + " reads", "a file");
+    first = &input;
   }
   return Ok{};
 }

@@ -28,5 +28,7 @@ Command add_put_command(CLI::App& app);
 Command add_assess_command(CLI::App& app);
 Command add_select_command(CLI::App& app);
 Command add_chart_command(CLI::App& app);
+Command add_completion_command(CLI::App& app);
+Command add_man_command(CLI::App& app);  // after the others, of which it has pages
 
 }  // namespace gonio::cli

@@ -28,6 +28,8 @@ struct CommonArguments {
   [[nodiscard]] client::EvaluateOptions evaluate_options() const;
 };
 
+// --material, alone. `what`: its help.
+void add_material_option(CLI::App& command, std::string& material, const std::string& what);
 // --material, --precision, --isa, and those of the connection.
 void add_material_options(CLI::App& command, CommonArguments& arguments);
 // --format, --output, --quiet, --verbose. `items`: "pairs".

@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -10,8 +9,11 @@
 #include "client/cli/comparison.h"
 #include "client/cli/connection.h"
 #include "client/cli/exit_codes.h"
+#include "client/cli/input/file_kind.h"
 #include "client/cli/output_file.h"
 #include "client/lobe/slices.h"
+#include "server/arguments/words.h"
+#include "server/preset_material.h"
 
 namespace gonio::cli {
 namespace {
@@ -43,7 +45,7 @@ struct CompareArguments {
 Outcome check_picture(const std::string& option, const std::string& file, std::size_t materials,
                       std::size_t most) {
   if (file.empty()) return Ok{};
-  if (std::filesystem::path(file).extension() != ".png")
+  if (extension_of(file) != ".png")
     return bad_value(option, "\"" + file + "\"", "a file that ends in .png");
   if (materials <= most) return Ok{};
   return bad_value("--material", std::to_string(materials) + " materials, with " + option,
@@ -58,10 +60,14 @@ Outcome check(const CompareArguments& arguments) {
   std::vector<NamedFile> inputs{{"--reference", arguments.reference}};
   for (const std::string& material : arguments.materials)
     inputs.push_back({"--material", material});
-  return check_outputs({{"--slices", arguments.slices},
-                        {"--render", arguments.render},
-                        {"--report", arguments.report}},
-                       inputs);
+  if (auto apart = check_standard_input(inputs); !apart) return apart;
+  if (auto apart = check_outputs({{"--slices", arguments.slices},
+                                  {"--render", arguments.render},
+                                  {"--report", arguments.report}},
+                                 inputs);
+      !apart)
+    return apart;
+  return check_extension({"--report", arguments.report}, {".json"});
 }
 
 Outcome write(const std::string& file, const Result<std::string>& content) {
@@ -123,7 +129,8 @@ Command add_compare_command(CLI::App& app) {
       ->add_option("--material,-m", arguments->materials,
                    "Materials: JSON or files, as for 'gonio evaluate'; one or more")
       ->type_name("M...")
-      ->required();
+      ->required()
+      ->check(arguments::suggest(preset_names()));
   command->add_flag("--deg", arguments->degrees, "Angles of a CSV are in degrees");
   command->add_option("--slices", arguments->slices, "Where a picture of slices goes, a .png")
       ->type_name("OUT");

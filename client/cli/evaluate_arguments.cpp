@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "client/cli/check_outputs.h"
+
 namespace gonio::cli {
 namespace {
 
@@ -53,6 +55,9 @@ Result<Format> checked_format(const EvaluateArguments& arguments) {
   if (arguments.pairs.empty() && arguments.grid.empty()) {
     return bad_value("the input", "missing", "--pairs FILE or --grid SPEC");
   }
+  const auto apart =
+      check_standard_input({{"--material", arguments.material}, {"--pairs", arguments.pairs}});
+  if (!apart) return apart.error();
   auto format = chosen_format(arguments);
   if (format && arguments.with_input && *format != Format::csv) {
     return bad_value("--with-input", "given", "with CSV results only");

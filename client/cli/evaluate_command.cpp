@@ -11,6 +11,7 @@
 #include "client/cli/evaluate_arguments.h"
 #include "client/cli/exit_codes.h"
 #include "client/cli/grid_spec.h"
+#include "client/cli/input/degrees_hint.h"
 #include "client/cli/input_columns.h"
 #include "client/cli/material_argument.h"
 #include "client/cli/pair_input.h"
@@ -31,6 +32,7 @@ struct Input {
     if (!arguments.grid.empty()) {
       auto grid = parse_grid(arguments.grid, arguments.degrees);
       if (!grid) return grid.error();
+      if (!arguments.degrees) hint_at_degrees(*grid);
       input.grid = std::move(grid).value();
       return input;
     }

@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 
+#include "base/near_names.h"
 #include "client/cli/numbers.h"
 #include "client/cli/text.h"
+#include "client/cli/tool/known_names.h"
+#include "server/arguments/words.h"
 
 namespace gonio::cli {
 namespace {
@@ -37,7 +41,7 @@ data cannot tell the parameters apart; failed. Errors, over all data: l1 is sum 
 m cos, rmse of f cos in 1/sr, log and cbrt the differences of log(1 + f cos) and of cube roots; each
 for all pairs, for both angles up to 80 degrees, and for the rest.
 
-Exit status 1 if every verdict is failed; then nothing is written with -o.
+Exit status 1 if every verdict is failed, 2 if no pair can be used; then nothing is written with -o.
 
 Examples:
   gonio fit --data nickel.binary --model cook_torrance --max-theta 80 -o nickel.json
@@ -51,6 +55,7 @@ void add_what(CLI::App& command, FitArguments& arguments) {
       .add_option("--model", arguments.models,
                   "What to fit, NAME or NAME:FRESNEL (see below), several apart by commas; or all")
       ->type_name("NAME,...")
+      ->check(arguments::suggest(fitted_names()))
       ->delimiter(',')
       ->required();
   command
@@ -76,12 +81,12 @@ void add_how(CLI::App& command, FitArguments& arguments) {
       .add_option("--objective", arguments.objective,
                   "What is minimised: l1 (the default), l2, huber, log or cbrt")
       ->type_name("O")
-      ->check(CLI::IsMember({"l1", "l2", "huber", "log", "cbrt"}).description(""));
+      ->check(arguments::one_of({"l1", "l2", "huber", "log", "cbrt"}));
   command
       .add_option("--strategy", arguments.strategy,
                   "auto (the default), or staged: that of Nielsen et al. 2014, from one guess")
       ->type_name("S")
-      ->check(CLI::IsMember({"auto", "staged"}).description(""));
+      ->check(arguments::one_of({"auto", "staged"}));
   command
       .add_option("--max-theta", arguments.max_theta,
                   "Fit pairs whose angles are both up to this, degrees; errors are of all data")
@@ -125,6 +130,10 @@ client::Material over(const std::string& base, const client::Lobe& lobe, int lob
   return client::Material::sum(diffuse, std::vector(static_cast<std::size_t>(lobes), lobe));
 }
 
+std::string near_word(const std::string& word, const std::vector<std::string>& words) {
+  return did_you_mean(word, std::span<const std::string>(words));
+}
+
 Outcome check_base(const std::string& base, const client::Catalogue& catalogue) {
   std::vector<std::string> allowed;
   for (const auto& model : catalogue.models) {
@@ -132,7 +141,7 @@ Outcome check_base(const std::string& base, const client::Catalogue& catalogue) 
   }
   allowed.emplace_back("none");
   if (std::find(allowed.begin(), allowed.end(), base) != allowed.end()) return Ok{};
-  return bad_value("--base", "\"" + base + "\"", joined(allowed, ", "));
+  return unknown_word("--base", base, std::span<const std::string>(allowed));
 }
 
 Result<FitForm> form_of(const client::ModelInfo& model, const std::string& wanted,
@@ -145,8 +154,9 @@ Result<FitForm> form_of(const client::ModelInfo& model, const std::string& wante
                                                        word) != fresnel->words.end();
     if (!known) {
       return bad_value("--model", "\"" + model.name + ":" + word + "\"",
-                       fresnel == nullptr ? model.name + ", which takes no Fresnel term"
-                                          : joined(fresnel->words, ", "));
+                       fresnel == nullptr
+                           ? model.name + ", which takes no Fresnel term"
+                           : joined(fresnel->words, ", ") + near_word(word, fresnel->words));
     }
     lobe.parameters["fresnel"] = word;
   }
@@ -224,7 +234,8 @@ Result<std::vector<FitForm>> fit_forms(const FitArguments& arguments,
         std::find_if(catalogue.models.begin(), catalogue.models.end(),
                      [&](const auto& m) { return m.name == name && can_be_fitted(m); });
     if (model == catalogue.models.end())
-      return bad_value("--model", "\"" + name + "\"", "all, " + joined(names, ", "));
+      return bad_value("--model", "\"" + name + "\"",
+                       "all, " + joined(names, ", ") + near_word(name, names));
     auto form = form_of(*model, parts.fresnel, arguments);
     if (!form) return form.error();
     forms.push_back(std::move(*form));

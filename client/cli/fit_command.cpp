@@ -92,6 +92,11 @@ Result<Outputs> open_outputs(const FitArguments& arguments) {
   std::vector<NamedFile> files{{"--output", arguments.output}};
   for (const std::string& report : arguments.reports) files.push_back({"--report", report});
   if (auto apart = check_outputs(files, {{"--data", arguments.data}}); !apart) return apart.error();
+  if (auto json = check_extension(files.front(), {".json"}); !json) return json.error();
+  for (const std::string& report : arguments.reports) {
+    if (auto known = check_extension({"--report", report}, {".json", ".md"}); !known)
+      return known.error();
+  }
   Outputs outputs;
   if (!arguments.output.empty()) {
     auto file = OutputFile::open(arguments.output);
@@ -128,9 +133,13 @@ Outcome write_all(Outputs& outputs, const std::vector<NamedFit>& fits, const Nam
 
 // Also where --quiet leaves no table that says it.
 Error none_fits(const std::vector<NamedFit>& fits) {
+  const bool empty = std::all_of(fits.begin(), fits.end(), [](const NamedFit& fit) {
+    return fit.result.certificate.pairs == 0;
+  });
   std::string text = "every fit failed";
   for (const NamedFit& fit : fits) text += "; " + fit.name + ": " + fit.result.certificate.reason;
-  return {ErrorCode::internal, text, {}, {}, {}};
+  // Data without a usable pair are wrong input, as for every command that reads them.
+  return {empty ? ErrorCode::invalid_argument : ErrorCode::internal, text, {}, {}, {}};
 }
 
 int run(const FitArguments& arguments) {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/near_names.h"
 #include "client/cli/numbers.h"
 
 namespace gonio::cli {
@@ -96,6 +97,12 @@ Result<Axis> parse_axis(std::string_view name, std::string_view text) {
   return axis;
 }
 
+std::string near_axis(const std::string& name) {
+  std::vector<std::string_view> names(kSpherical.begin(), kSpherical.end());
+  names.insert(names.end(), kHalfAngle.begin(), kHalfAngle.end());
+  return did_you_mean(name, names);
+}
+
 using Axes = std::map<std::string, Axis, std::less<>>;
 
 Result<Axes> parse_axes(const std::string& text) {
@@ -109,7 +116,8 @@ Result<Axes> parse_axes(const std::string& text) {
     if (equals == std::string_view::npos || !known) {
       return bad_value(
           "--grid", "'" + std::string(part) + "'",
-          "AXIS=ANGLES with theta_i, phi_i, theta_o, phi_o, or theta_h, theta_d, phi_d");
+          "AXIS=ANGLES with theta_i, phi_i, theta_o, phi_o, or theta_h, theta_d, phi_d" +
+              (known ? std::string() : near_axis(name)));
     }
     auto axis = parse_axis(name, part.substr(equals + 1));
     if (!axis) return axis.error();

@@ -7,7 +7,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/near_names.h"
 #include "base/text/encoding.h"
+#include "client/cli/input/file_kind.h"
 #include "gonio/base/shown.h"
 #include "wire/convert.h"
 
@@ -17,7 +19,8 @@ Result<JsonObject> read_object(const std::string& file, const char* what) {
   std::error_code ignored;
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file, ignored))
-    return bad_value(what, file, "a JSON file that can be read", ErrorCode::not_found);
+    return bad_value(what, file, "a JSON file that can be read" + near_files(file),
+                     ErrorCode::not_found);
   const std::string content{std::istreambuf_iterator<char>(in), {}};
   const auto plain = utf8_text(content, file);
   if (!plain) return plain.error();
@@ -48,7 +51,7 @@ Outcome check_names(const JsonObject& object, std::span<const std::string_view> 
   for (const std::string_view name : known) all += (all.empty() ? "" : ", ") + std::string(name);
   for (const auto& [name, value] : object.fields()) {
     if (std::find(known.begin(), known.end(), name) == known.end())
-      return bad_value(prefix + name, "not a field", all);
+      return bad_value(prefix + name, "not a field", all + did_you_mean(name, known));
   }
   return Ok{};
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "client/cli/commands.h"
+#include "client/cli/common_arguments.h"
 #include "client/cli/connection.h"
 #include "client/cli/exit_codes.h"
 #include "client/cli/material_argument.h"
@@ -12,6 +13,7 @@
 #include "client/cli/picture.h"
 #include "client/image/png.h"
 #include "client/lobe/picture.h"
+#include "server/arguments/words.h"
 
 namespace gonio::cli {
 namespace {
@@ -41,11 +43,8 @@ struct LobeArguments {
 
 void add_lobe_options(CLI::App& command, LobeArguments& arguments) {
   command.footer(kFooter);
-  command
-      .add_option("--material,-m", arguments.material,
-                  "What to show: JSON, a file or a stored name, as for 'gonio evaluate'")
-      ->type_name("M")
-      ->required();
+  add_material_option(command, arguments.material,
+                      "What to show: JSON, a file or a stored name, as for 'gonio evaluate'");
   command
       .add_option("--theta", arguments.theta,
                   "Angles of incidence from the normal, degrees, each from 0 to below 90; up to 8")
@@ -61,7 +60,7 @@ void add_lobe_options(CLI::App& command, LobeArguments& arguments) {
       .add_option("--scale", arguments.scale,
                   "Of lengths and colours: log (the default, two to six decades), linear, or cbrt")
       ->type_name("S")
-      ->check(CLI::IsMember({"log", "linear", "cbrt"}).description(""));
+      ->check(arguments::one_of({"log", "linear", "cbrt"}));
   command.add_flag("--cosine", arguments.cosine, "Show f cos(theta_o) in place of f");
   command
       .add_option("--size", arguments.size,

@@ -4,12 +4,18 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <iostream>
+#include <span>
+#include <string>
 #include <system_error>
+#include <vector>
 
+#include "base/near_names.h"
 #include "base/text/encoding.h"
+#include "client/cli/input/file_kind.h"
 #include "gonio/base/shown.h"
 #include "gonio/engine/registry.h"
+#include "server/preset_material.h"
 #include "wire/convert.h"
 
 namespace gonio::cli {
@@ -63,33 +69,65 @@ Result<Material> measured(const std::string& file, bool embedded) {
   return Material::model("measured", {{"file", absolute_path(file)}});
 }
 
+bool exists(const std::string& file) {
+  std::error_code ignored;
+  return fs::exists(file, ignored);
+}
+
+Result<Material> json_from(std::istream& in, const fs::path& folder, bool embedded,
+                           const std::string& origin) {
+  std::string json(kLongestJson + 1, '\0');
+  in.read(json.data(), static_cast<std::streamsize>(json.size()));
+  if (in.bad()) return error_in(origin, "cannot be read");
+  json.resize(static_cast<std::size_t>(in.gcount()));
+  if (json.size() > kLongestJson)
+    return error_in(origin, "is longer than 1 MiB: not a material's JSON");
+  return material_beside(json, folder, embedded, origin);
+}
+
+// What the file holds says how it is read, not its name; a MERL file that is none says so itself.
 Result<Material> read_file(const std::string& file, bool embedded) {
   std::error_code error;
   const auto status = fs::status(file, error);
   if (!fs::exists(status)) {
-    return Error{ErrorCode::not_found, "no such file: " + shown(file), "material", shown(file),
+    return Error{ErrorCode::not_found, "no such file: " + shown(file) + near_files(file),
+                 "material", shown(file),
                  "inline JSON, a .json or MERL .binary file, or the name of a stored material"};
   }
   if (fs::is_directory(status)) return error_in(file, "is a folder, not a material");
-  if (fs::path(file).extension() == ".binary") return measured(file, embedded);
+  const FileKind kind = kind_of_file(file).value_or(FileKind::unknown);
+  const bool named_so = extension_of(file) == ".binary";
+  if (kind == FileKind::merl || (kind == FileKind::unknown && named_so))
+    return measured(file, embedded);
+  if (kind != FileKind::material_json && kind != FileKind::other_json && kind != FileKind::unknown)
+    return wrong_kind("--material", file, kind, "a material");
   std::ifstream in(file, std::ios::binary);
-  std::string json(kLongestJson + 1, '\0');
-  in.read(json.data(), static_cast<std::streamsize>(json.size()));
-  if (in.bad() || !in.is_open()) return error_in(file, "cannot be read");
-  json.resize(static_cast<std::size_t>(in.gcount()));
-  if (json.size() > kLongestJson)
-    return error_in(file, "is longer than 1 MiB: not a material's JSON");
-  return material_beside(json, fs::path(file).parent_path(), embedded, file);
+  if (!in.is_open()) return error_in(file, "cannot be read");
+  return json_from(in, fs::path(file).parent_path(), embedded, file);
+}
+
+// By its name, or because it is there and is a material, or cannot be the name of anything else.
+bool is_file(const std::string& argument) {
+  const std::string extension = extension_of(argument);
+  if (extension == ".json" || extension == ".binary") return true;
+  if (argument.find('/') != std::string::npos) return true;
+  const auto kind = kind_of_file(argument);
+  return kind && (!extension.empty() || kind == FileKind::material_json || kind == FileKind::merl);
 }
 
 // Without a server nothing is stored; a model's name is not yet a material.
 Error nothing_stored(const std::string& name) {
   std::string allowed =
-      "without --server: inline JSON such as '{\"model\": \"ggx\"}', or FILE.json";
+      "without --server: inline JSON such as '{\"model\": \"ggx\"}', FILE.json, or a substance "
+      "('gonio models --presets')";
   if (find_model(name)) allowed = "for this model: '{\"model\": \"" + name + "\"}'";
+  std::vector<std::string> known = preset_names();
+  for (const ModelDescription& model : models()) known.emplace_back(model.name);
+  std::string hint = did_you_mean(name, std::span<const std::string>(known));
+  if (hint.empty() || fs::path(name).has_extension()) hint = near_files(name);
   Error error = bad_value("--material", "\"" + name + "\"", allowed, ErrorCode::not_found);
   error.message =
-      "no material \"" + shown(name, kQuotedLength) + "\" is stored; allowed " + allowed;
+      "no material \"" + shown(name, kQuotedLength) + "\" is stored; allowed " + allowed + hint;
   return error;
 }
 
@@ -104,11 +142,11 @@ Result<Material> read_material(const std::string& argument, bool embedded) {
                      "inline JSON, a file, or the name of a stored material");
   }
   if ((*plain)[start] == '{') return material_beside(argument, {}, embedded, "--material");
-  const std::string extension = fs::path(argument).extension();
-  const bool file =
-      extension == ".json" || extension == ".binary" || argument.find('/') != std::string::npos;
-  if (file) return read_file(argument, embedded);
-  if (embedded) return nothing_stored(argument);
+  if (argument == "-") return json_from(std::cin, {}, embedded, "standard input");
+  // As curl and others mean it.
+  if (argument[0] == '@' && !exists(argument)) return read_file(argument.substr(1), embedded);
+  if (is_file(argument)) return read_file(argument, embedded);
+  if (embedded && !preset_material(argument)) return nothing_stored(argument);
   return Material::named(argument);
 }
 

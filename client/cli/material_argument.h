@@ -9,10 +9,12 @@
 
 namespace gonio::cli {
 
-// In this order: what starts with '{' is JSON; what ends in .json or .binary or has a '/' is a file
-// (JSON, or a MERL table); anything else is the name of a material that the server holds. Files
-// that only this machine has can be used by an `embedded` server alone. Errors name the file and
-// what is wrong.
+// In this order: what starts with '{' is JSON; "-" is JSON on standard input; "@FILE" and what ends
+// in .json or .binary or has a '/' is a file, and so is what is there and holds a material (JSON,
+// or a MERL table: its content decides); anything else is the name of a material that the server
+// holds, or of a substance (server/preset_material.h). Files that only this machine has can be used
+// by an `embedded` server alone. Errors name the file and what is wrong; of a file of another kind
+// they say what takes it.
 Result<client::Material> read_material(const std::string& argument, bool embedded);
 
 }  // namespace gonio::cli

@@ -4,6 +4,8 @@
 #include <system_error>
 #include <utility>
 
+#include "client/cli/input/degrees_hint.h"
+#include "client/cli/input/file_kind.h"
 #include "client/cli/material_argument.h"
 #include "client/cli/npy_header.h"
 #include "fit/data.h"
@@ -67,6 +69,55 @@ Result<MeasuredInput> from_merl(const std::string& file) {
   return input;
 }
 
+// The format: by the content where that says it, else by the extension.
+FileKind format_of(const std::string& file) {
+  const FileKind kind = kind_of_file(file).value_or(FileKind::unknown);
+  const std::string extension = extension_of(file);
+  if (kind != FileKind::unknown) return kind;
+  if (extension == ".binary") return FileKind::merl;
+  if (extension == ".brdf") return FileKind::cornell;
+  if (extension == ".dat" || extension == ".alta") return FileKind::alta;
+  return extension == ".bsdf" ? FileKind::rgl : FileKind::csv_values;
+}
+
+Result<MeasuredInput> read_table(const std::string& file, bool degrees) {
+  auto source = ByteSource::open(file);
+  if (!source) return std::move(source).error();
+  auto start = source->peek(kNpyMagic.size());
+  if (!start) return start.error();
+  if (*start == kNpyMagic) return weighed(read_measured_npy(std::move(*source)));
+  auto input = read_measured_csv(std::move(*source), degrees);
+  if (input && !degrees && kind_of_file(file) == FileKind::csv_values)
+    hint_at_degrees(input->wi, input->wo, file);
+  return weighed(std::move(input));
+}
+
+Result<MeasuredInput> read_any(const std::string& file, bool keep_tables, bool degrees) {
+  switch (const FileKind format = format_of(file)) {
+    case FileKind::merl: {
+      if (!keep_tables) return from_merl(file);
+      auto material = read_material(file, true);
+      if (!material) return material.error();
+      MeasuredInput input;
+      input.measured = std::move(*material);
+      return input;
+    }
+    case FileKind::cornell:
+      return weighed(from_pairs(read_cornell(file)));
+    case FileKind::alta:
+      return weighed(from_pairs(read_alta(file)));
+    case FileKind::rgl:
+      return from_pairs(read_rgl(file));
+    case FileKind::npy:
+    case FileKind::csv_values:
+    case FileKind::csv_pairs:
+    case FileKind::unknown:
+      return read_table(file, degrees);
+    default:
+      return wrong_kind("--data", file, format, "measured reflectance");
+  }
+}
+
 }  // namespace
 
 std::string raised_text(const MeasuredInput& input) {
@@ -76,24 +127,9 @@ std::string raised_text(const MeasuredInput& input) {
 }
 
 Result<MeasuredInput> read_measured(const std::string& file, bool keep_tables, bool degrees) {
-  const std::string extension = std::filesystem::path(file).extension();
-  if (extension == ".binary" && keep_tables) {
-    auto material = read_material(file, true);
-    if (!material) return material.error();
-    MeasuredInput input;
-    input.measured = std::move(*material);
-    return input;
-  }
-  if (extension == ".binary") return from_merl(file);
-  if (extension == ".brdf") return weighed(from_pairs(read_cornell(file)));
-  if (extension == ".dat" || extension == ".alta") return weighed(from_pairs(read_alta(file)));
-  if (extension == ".bsdf") return from_pairs(read_rgl(file));
-  auto source = ByteSource::open(file);
-  if (!source) return std::move(source).error();
-  auto start = source->peek(kNpyMagic.size());
-  if (!start) return start.error();
-  if (*start == kNpyMagic) return weighed(read_measured_npy(std::move(*source)));
-  return weighed(read_measured_csv(std::move(*source), degrees));
+  auto input = read_any(file, keep_tables, degrees);
+  if (!input) return or_near_file(input.error(), file);
+  return input;
 }
 
 Result<MeasuredInput> read_data(const std::string& data, bool embedded, bool degrees) {

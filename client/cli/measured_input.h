@@ -26,9 +26,10 @@ struct MeasuredInput {
 // "746 values below 0 set to 0 (colours that sRGB cannot show)"; empty where there are none.
 std::string raised_text(const MeasuredInput& input);
 
-// By the file's extension: .binary is MERL, .brdf Cornell's text, .dat or .alta ALTA's, .bsdf
-// RGL's; anything else is CSV or NPY, told apart by its first bytes. Without weights of its own a
-// goniometer's data are weighed by the directions that they stand for (measured/solid_angle.h).
+// By the file's content where that says what it is (input/file_kind.h), else by its extension:
+// .binary is MERL, .brdf Cornell's text, .dat or .alta ALTA's, .bsdf RGL's; anything else is CSV or
+// NPY. Without weights of its own a goniometer's data are weighed by the directions that they stand
+// for (measured/solid_angle.h).
 // `keep_tables`: a MERL file stays a file for an embedded server to read; otherwise its cells
 // become pairs. `degrees`: a CSV's angles are.
 Result<MeasuredInput> read_measured(const std::string& file, bool keep_tables, bool degrees);

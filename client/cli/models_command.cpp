@@ -10,7 +10,9 @@
 #include "client/cli/model_page.h"
 #include "client/cli/output_file.h"
 #include "client/cli/presets.h"
+#include "client/cli/tool/known_names.h"
 #include "gonio/base/shown.h"
+#include "server/arguments/words.h"
 
 namespace gonio::cli {
 namespace {
@@ -22,7 +24,7 @@ struct Arguments {
 };
 
 Result<std::string> text_for(const client::Client& client, const Arguments& arguments) {
-  if (arguments.json) {
+  if (arguments.json && !arguments.presets) {
     auto json = client.list_models_json(arguments.name);
     if (!json) return json;
     return *json + "\n";
@@ -36,7 +38,7 @@ Result<std::string> text_for(const client::Client& client, const Arguments& argu
                  shown(arguments.name, kQuotedLength),
                  {}};
   }
-  if (arguments.presets) return preset_table(*catalogue);
+  if (arguments.presets) return arguments.json ? preset_json(*catalogue) : preset_table(*catalogue);
   if (arguments.markdown) return markdown(*catalogue);
   return arguments.name.empty() ? model_table(*catalogue) : model_page(catalogue->models.front());
 }
@@ -56,9 +58,12 @@ Command add_models_command(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       app.add_subcommand("models", "List the models and stored materials, or describe one model");
-  command->add_option("NAME", arguments->name, "The model to describe")->type_name("");
-  CLI::Option* json = command->add_flag("--json", arguments->json,
-                                        "Print JSON (gonio.v1.ListModelsResponse) instead of text");
+  command->add_option("NAME", arguments->name, "The model to describe")
+      ->type_name("")
+      ->check(arguments::suggest(model_names()));
+  CLI::Option* json =
+      command->add_flag("--json", arguments->json,
+                        "Print JSON instead of text: gonio.v1.ListModelsResponse, or the presets");
   CLI::Option* presets = command->add_flag("--presets", arguments->presets,
                                            "List the names that may stand in the place of numbers");
   command
@@ -66,7 +71,6 @@ Command add_models_command(CLI::App& app) {
                  "Print models, parameters and presets as Markdown tables")
       ->excludes(json)
       ->excludes(presets);
-  presets->excludes(json);
   add_connection_options(*command, arguments->connection);
   return {command, [arguments] { return run(*arguments); }};
 }

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "server/arguments/words.h"
+
 namespace gonio::cli {
 
 client::NumberSource NumberArguments::source() const {
@@ -18,7 +20,7 @@ void add_number_options(CLI::App& command, NumberArguments& arguments) {
       .add_option("--sequence", arguments.sequence,
                   "random (independent, the default) or sobol (evenly spread)")
       ->type_name("Q")
-      ->check(CLI::IsMember({"random", "sobol"}).description(""));
+      ->check(arguments::one_of({"random", "sobol"}));
 }
 
 Outcome check_count(const NumberArguments& arguments, std::uint64_t least,

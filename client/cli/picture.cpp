@@ -1,8 +1,8 @@
 #include "client/cli/picture.h"
 
-#include <filesystem>
 #include <optional>
 
+#include "client/cli/input/file_kind.h"
 #include "client/cli/numbers.h"
 
 namespace gonio::cli {
@@ -23,7 +23,7 @@ Result<PictureSize> parse_size(const std::string& text, int least) {
 }
 
 Result<PictureFormat> picture_format(const std::string& file) {
-  const std::string extension = std::filesystem::path(file).extension();
+  const std::string extension = extension_of(file);
   if (extension == ".png") return PictureFormat::png;
   if (extension == ".exr") return PictureFormat::exr;
   return bad_value("-o", "\"" + file + "\"", "a file that ends in .png or .exr");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "client/cli/json.h"
 #include "client/cli/numbers.h"
 #include "client/cli/text.h"
 
@@ -41,6 +42,25 @@ std::vector<PresetList> preset_lists(const client::Catalogue& catalogue) {
   return lists;
 }
 
+std::string preset_json(const client::Catalogue& catalogue) {
+  std::string json = "{\"presets\": [";
+  const char* separator = "\n";
+  for (const PresetList& list : preset_lists(catalogue)) {
+    std::vector<std::string> parameters;
+    for (const std::string& name : list.parameters) parameters.push_back(json_string(name));
+    for (const auto& preset : list.presets) {
+      std::vector<std::string> values;
+      for (const double value : preset.values) values.push_back(shortest(value));
+      json += separator + ("{\"name\": " + json_string(preset.name)) + ", \"parameters\": [" +
+              joined(parameters, ", ") + "], \"partner\": " + json_string(list.partner) +
+              ", \"values\": [" + joined(values, ", ") +
+              "], \"source\": " + json_string(preset.source) + "}";
+      separator = ",\n";
+    }
+  }
+  return json + "\n]}\n";
+}
+
 std::string preset_table(const client::Catalogue& catalogue) {
   const auto lists = preset_lists(catalogue);
   if (lists.empty()) return "No parameter has presets.\n";
@@ -57,7 +77,9 @@ std::string preset_table(const client::Catalogue& catalogue) {
     }
   }
   return text + "\nA name stands in the place of the numbers, as in \"" +
-         lists.front().parameters.front() + "\": \"" + lists.front().presets.front().name + "\".\n";
+         lists.front().parameters.front() + "\": \"" + lists.front().presets.front().name +
+         "\"; and in that of a material, as in --material " + lists.front().presets.front().name +
+         ".\n";
 }
 
 }  // namespace gonio::cli

@@ -19,5 +19,8 @@ std::vector<PresetList> preset_lists(const client::Catalogue& catalogue);
 
 // One line a preset.
 std::string preset_table(const client::Catalogue& catalogue);
+// {"presets": [{"name": ..., "parameters": [...], "partner": ..., "values": [...], "source": ...},
+// ...]}
+std::string preset_json(const client::Catalogue& catalogue);
 
 }  // namespace gonio::cli

@@ -10,6 +10,7 @@
 #include "client/cli/commands.h"
 #include "client/cli/connection.h"
 #include "client/cli/exit_codes.h"
+#include "client/cli/input/file_kind.h"
 #include "client/cli/output_file.h"
 #include "client/cli/progress.h"
 #include "gonio/measured/table.h"
@@ -46,13 +47,17 @@ Error bad_file(const std::string& file, ErrorCode code, const std::string& found
 Result<std::string> read_content(const std::string& file) {
   std::error_code problem;
   const auto status = fs::status(file, problem);
-  if (!fs::exists(status)) return bad_file(file, ErrorCode::not_found, "no such file");
+  if (!fs::exists(status))
+    return bad_file(file, ErrorCode::not_found, "no such file" + near_files(file));
   if (!fs::is_regular_file(status))
     return bad_file(file, ErrorCode::invalid_argument, "a folder, pipe or device");
   const auto size = fs::file_size(file, problem);
   if (problem) return bad_file(file, ErrorCode::not_found, problem.message());
-  if (size != MeasuredTable::kFileBytes)
-    return bad_file(file, ErrorCode::data_loss, std::to_string(size) + " bytes");
+  if (size != MeasuredTable::kFileBytes) {
+    const FileKind kind = kind_of_file(file).value_or(FileKind::unknown);
+    const std::string what = kind == FileKind::unknown ? "" : ", " + description_of(kind);
+    return bad_file(file, ErrorCode::data_loss, std::to_string(size) + " bytes" + what);
+  }
   std::ifstream in(file, std::ios::binary);
   if (!in) return bad_file(file, ErrorCode::not_found, std::strerror(errno));
   std::string content(MeasuredTable::kFileBytes, '\0');

@@ -5,9 +5,13 @@
 #include <cmath>
 #include <string_view>
 
+#include "base/near_names.h"
+#include "client/cli/common_arguments.h"
+#include "client/cli/input/file_kind.h"
 #include "client/cli/numbers.h"
 #include "client/image/read.h"
 #include "client/render/sky.h"
+#include "server/arguments/words.h"
 
 namespace gonio::cli {
 namespace {
@@ -118,12 +122,12 @@ void add_light_options(CLI::App& command, RenderArguments& arguments) {
 
 void add_render_options(CLI::App& command, RenderArguments& arguments) {
   command.footer(kFooter);
-  add(command, "--material,-m", arguments.material, "M",
-      "What the object is made of: JSON, a file or a stored name, as for 'gonio evaluate'")
-      ->required();
+  add_material_option(
+      command, arguments.material,
+      "What the object is made of: JSON, a file or a stored name, as for 'gonio evaluate'");
   add_light_options(command, arguments);
   add(command, "--shape", arguments.shape, "S", "sphere (the default), cylinder, or plane")
-      ->check(CLI::IsMember({"sphere", "cylinder", "plane"}).description(""));
+      ->check(arguments::one_of({"sphere", "cylinder", "plane"}));
   add(command, "--size", arguments.size, "WxH", "Pixels, 1x1 to 8192x8192; 512x512 if not given");
   add(command, "--spp", arguments.samples, "N", "Samples a pixel, 1 to 65536; 64 if not given");
   add(command, "--view-elevation", arguments.view.elevation, "DEG",
@@ -138,7 +142,7 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
       "Stops, for PNG: the radiance 2^-EV becomes white; -32 to 32, 0 if not given");
   add(command, "--sampling", arguments.sampling, "S",
       "Draw directions from both (the default), the light, or the surface")
-      ->check(CLI::IsMember({"both", "light", "surface"}).description(""));
+      ->check(arguments::one_of({"both", "light", "surface"}));
   add(command, "--seed", arguments.seed, "S", "Of the samples, 0 to 4294967295; 0 if not given");
   add(command, "-o,--output", arguments.output, "OUT",
       "The picture: a file that ends in .png or .exr")
@@ -176,11 +180,12 @@ Result<std::unique_ptr<const render::Light>> make_light(const RenderArguments& a
                                                         const RenderPlan& plan) {
   if (arguments.light == "directional") return render::directional_light(plan.light_direction);
   if (arguments.light == "sky") return render::dome_light(render::sky_map(), "sky");
-  const auto dot = arguments.light.rfind('.');
-  const std::string extension = dot == std::string::npos ? "" : arguments.light.substr(dot);
+  const std::string extension = extension_of(arguments.light);
   if (extension != ".exr" && extension != ".pfm") {
+    constexpr std::array<std::string_view, 2> kLights{"directional", "sky"};
     return bad_value("--light", "\"" + arguments.light + "\"",
-                     "directional, sky, or a file that ends in .exr or .pfm");
+                     "directional, sky, or a file that ends in .exr or .pfm" +
+                         did_you_mean(arguments.light, kLights));
   }
   auto map = image::read(arguments.light);
   if (!map) return map.error();

@@ -1,5 +1,6 @@
 #include "client/cli/result_writer.h"
 
+#include <cctype>
 #include <utility>
 
 namespace gonio::cli {
@@ -14,7 +15,9 @@ std::optional<Format> format_named(std::string_view name) {
 std::optional<Format> format_of_file(std::string_view file) {
   const std::size_t dot = file.rfind('.');
   if (dot == std::string_view::npos) return std::nullopt;
-  return format_named(file.substr(dot + 1));
+  std::string extension(file.substr(dot + 1));
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return format_named(extension);
 }
 
 std::vector<std::string> channel_names(const std::string& letter, int channels) {

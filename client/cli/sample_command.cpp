@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "client/cli/check_outputs.h"
 #include "client/cli/commands.h"
 #include "client/cli/common_arguments.h"
 #include "client/cli/exit_codes.h"
@@ -94,6 +95,9 @@ template <class T>
 int run(const SampleArguments& arguments) {
   auto format = chosen_format(arguments);
   if (!format) return fail(format.error());
+  const auto apart = check_standard_input(
+      {{"--material", arguments.material}, {"--wi-file", arguments.wi.wi_file}});
+  if (!apart) return fail(apart.error());
   auto input = WiInput<T>::open(arguments.wi);
   if (!input) return fail(input.error());
   auto counted = check_count(arguments.numbers, 1, input->total().value_or(1));

@@ -8,6 +8,7 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/exit_codes.h"
+#include "client/cli/input/file_kind.h"
 #include "client/cli/material_argument.h"
 #include "client/cli/measured_input.h"
 #include "client/cli/output_file.h"
@@ -22,17 +23,7 @@
 namespace gonio::cli {
 namespace {
 
-// Of a file's name; none of a material as JSON.
-std::string extension_of(const std::string& reference) {
-  const bool json = reference.find('{') != std::string::npos;
-  return json ? std::string() : std::filesystem::path(reference).extension().string();
-}
-
-bool is_of_pairs(const std::string& extension) {
-  constexpr std::array<std::string_view, 6> kPairs{".brdf", ".bsdf", ".dat",
-                                                   ".alta", ".csv",  ".npy"};
-  return std::find(kPairs.begin(), kPairs.end(), extension) != kPairs.end();
-}
+bool is_json(const std::string& reference) { return reference.find('{') != std::string::npos; }
 
 // What is selected for: a material as it is, or measured pairs, which `input` holds.
 struct Reference {
@@ -48,9 +39,10 @@ struct Reference {
 // Tables that only this machine has travel to a server as pairs.
 Result<Reference> read_reference(const std::string& argument, const SelectArguments& arguments) {
   const bool embedded = arguments.connection.server.empty();
-  const std::string extension = extension_of(argument);
+  const bool table =
+      extension_of(argument) == ".binary" || kind_of_file(argument) == FileKind::merl;
   const bool pairs =
-      argument == "-" || (extension == ".binary" && !embedded) || is_of_pairs(extension);
+      !is_json(argument) && (argument == "-" || (table && !embedded) || holds_pairs(argument));
   Reference reference;
   if (pairs) {
     auto input = read_measured(argument, false, arguments.degrees);
@@ -93,13 +85,13 @@ Result<std::vector<NamedSelection>> select_all(const client::Client& client,
 Outcome check_reference(const SceneMaterial& material) {
   const std::string& name = material.reference;
   const std::string extension = extension_of(name);
-  const bool json = name.find('{') != std::string::npos;
-  const bool file = !json && (extension == ".json" || extension == ".binary" ||
-                              is_of_pairs(extension) || name.find('/') != std::string::npos);
+  const bool file = !is_json(name) && (extension == ".json" || extension == ".binary" ||
+                                       holds_pairs(name) || name.find('/') != std::string::npos);
   std::error_code ignored;
   if (!file || std::filesystem::exists(name, ignored)) return Ok{};
-  return of_material(material.name, {ErrorCode::not_found, "no such file: " + shown(name),
-                                     "reference", shown(name), "a file that can be read"});
+  return of_material(material.name,
+                     {ErrorCode::not_found, "no such file: " + shown(name) + near_files(name),
+                      "reference", shown(name), "a file that can be read"});
 }
 
 Outcome show_table(const SelectArguments& arguments, const std::vector<NamedSelection>& found) {

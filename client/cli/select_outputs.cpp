@@ -50,6 +50,11 @@ Outcome check_places(const SelectArguments& arguments,
 Result<SelectOutputs> SelectOutputs::open(const SelectArguments& arguments,
                                           const std::vector<SceneMaterial>& materials) {
   if (auto apart = check_places(arguments, materials); !apart) return apart.error();
+  const bool folder = !materials[0].name.empty();
+  for (const NamedFile& file : {NamedFile{"--report", arguments.report},
+                                NamedFile{"--output", folder ? std::string() : arguments.output}}) {
+    if (auto json = check_extension(file, {".json"}); !json) return json.error();
+  }
   SelectOutputs outputs;
   outputs.output_ = arguments.output;
   const std::string& first = materials[0].name;

@@ -144,11 +144,15 @@ Result<std::vector<std::uint8_t>> draw_slices(const SlicesPicture& picture,
     draw_panel(canvas, {left + kLeft, top + kAbove, left + width - kBeside, top + height - kBelow},
                scale_of(panels, column, picture.columns), panels[i]);
   }
-  canvas.text({picture.width / 2.0, picture.height - 0.5 * kFoot},
-              "θₒ in the plane of incidence, negative on the side of the light; dashed: the light "
-              "(orange) and the mirror direction (grey); lines leave the frame where they are "
-              "beyond it",
-              kText, Align::centre, kInk);
+  const auto foot = [&](double line, const char* words) {
+    canvas.text({picture.width / 2.0, picture.height - kFoot + line * 1.3 * kSmall}, words, kSmall,
+                Align::centre, kInk);
+  };
+  foot(
+      0.6,
+      "θₒ in the plane of incidence, negative on the side of the light; dashed: the light (orange) "
+      "and the mirror direction (grey)");
+  foot(1.6, "a line that leaves the frame is beyond its range there");
   return canvas.rgb();
 }
 

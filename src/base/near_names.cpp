@@ -45,9 +45,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 // 0 is the same; anything above limit_of() is not alike.
 std::size_t unlikeness(const std::string& name, const std::string& candidate) {
   const std::size_t distance = edit_distance(name, candidate);
-  const bool within = std::min(name.size(), candidate.size()) >= kShort &&
-                      (candidate.find(name) != std::string::npos ||
-                       name.find(candidate) != std::string::npos);
+  const bool within =
+      std::min(name.size(), candidate.size()) >= kShort &&
+      (candidate.find(name) != std::string::npos || name.find(candidate) != std::string::npos);
   return within ? std::min<std::size_t>(distance, 1) : distance;
 }
 

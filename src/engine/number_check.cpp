@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <numbers>
 
 namespace gonio {
 namespace {
@@ -14,6 +15,13 @@ std::string text_of(double number) {
 
 std::string bounds_of(const Parameter& p) {
   return "[" + text_of(p.lower) + ", " + text_of(p.upper) + "]";
+}
+
+// An angle that would do in degrees was meant in them.
+std::string degrees_hint(const Parameter& p, double number) {
+  const double radians = number * std::numbers::pi / 180;
+  const bool meant = p.unit == "rad" && radians >= p.lower && radians <= p.upper;
+  return meant ? " in radians: " + text_of(number) + " degrees are " + text_of(radians) : "";
 }
 
 std::string allowed_instead_of_word(const Parameter& p) {
@@ -66,7 +74,7 @@ Result<std::vector<double>> check_numbers(const std::string& field, const Parame
     const double number = (*numbers)[i];
     if (number >= p.lower && number <= p.upper) continue;  // false for NaN
     return bad_value(numbers->size() == 1 ? field : field + "[" + std::to_string(i) + "]",
-                     text_of(number), bounds_of(p));
+                     text_of(number), bounds_of(p) + degrees_hint(p, number));
   }
   return numbers;
 }

@@ -138,5 +138,17 @@ TEST_F(Compare, AReportIsAlsoAPageForPeople) {
   EXPECT_THAT(read_file(folder_ / "a.json"), HasSubstr("\"certificate\""));
 }
 
+// A zone without pairs has no error, not one of 0.
+TEST_F(Compare, APageSaysWhereThereAreNoPairs) {
+  const auto result =
+      run("gonio evaluate --material $D/truth.json --deg --with-input --grid "
+          "theta_i=10:60:6,theta_o=0:70:8,phi_o=0:330:12 -o $D/steep.csv && "
+          "gonio fit --data $D/steep.csv --deg --model lambertian -q --report $D/a.md");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string page = read_file(folder_ / "a.md");
+  EXPECT_THAT(page, HasSubstr("| no pairs |"));
+  EXPECT_THAT(page, HasSubstr("| above 80° | no pairs | - | - | - | - |"));
+}
+
 }  // namespace
 }  // namespace gonio::test

@@ -126,7 +126,7 @@ TEST_F(FitCommand, LeavesOutWhatIsFlaggedOrNotMeasured) {
 TEST_F(FitCommand, FailsWithTheReasonAndWritesNothing) {
   write_file(folder_ / "none.csv", "theta_i,phi_i,theta_o,phi_o,f_0\n0.5,0,0.4,0,nan\n");
   const auto result = run("gonio fit --data $D/none.csv --model lambertian -o $D/none.json");
-  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.out, HasSubstr("failed"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "none.json"));
 }

@@ -99,7 +99,7 @@ TEST_F(Results, AFullDiskIsAFailureOfTables) {
 TEST_F(Results, AQuietFitThatFailsSaysWhy) {
   write_file(folder_ / "none.csv", "theta_i,phi_i,theta_o,phi_o,f_0\n0.5,0,0.4,0,nan\n");
   const auto result = here("gonio fit -q --data none.csv --model ggx,lambertian -o m.json");
-  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, AllOf(HasSubstr("every fit failed; ggx: no pair is left to fit"),
                                 HasSubstr("; lambertian: no pair")));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "m.json"));

@@ -18,9 +18,11 @@ TEST_F(SelectCommand, PrintsTheFrontAndWritesTheChoice) {
       select("--reference gloss.json --scene scene.json --all -o out.json --report r.json");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, IsEmpty());
-  EXPECT_THAT(result.out, AllOf(HasSubstr("candidate"), HasSubstr("\n* "), HasSubstr("chosen"),
-                                HasSubstr("the tolerance is 0.6"), HasSubstr("no better than"),
-                                HasSubstr("oren_nayar:full")));
+  EXPECT_THAT(result.out,
+              AllOf(HasSubstr("candidate"), HasSubstr("\n* "), HasSubstr("searched"),
+                    HasSubstr("chosen; certified "), HasSubstr("has a certified error of"),
+                    HasSubstr("Searched: the error"), HasSubstr("the tolerance\nis 0.6."),
+                    HasSubstr("no better than"), HasSubstr("oren_nayar:full")));
   EXPECT_TRUE(json(read_file(folder_ / "out.json")).fields().contains("model"));
   const auto report = json(read_file(folder_ / "r.json"));
   EXPECT_EQ(report.fields().at("choice").struct_value().fields().at("confidence").number_value(),

@@ -73,7 +73,7 @@ TEST_F(Assess, NamesWhatIsWrong) {
   options = quick();
   options.seed = 0;
   EXPECT_EQ(error_of(ggx(), options).field, "seed");
-  EXPECT_EQ(error_of(client::Material::named("nickel"), quick()).code, ErrorCode::not_found);
+  EXPECT_EQ(error_of(client::Material::named("brass"), quick()).code, ErrorCode::not_found);
 }
 
 TEST_F(Assess, KeepsItsDeadline) {

@@ -121,7 +121,7 @@ TEST_F(Select, NamesWhatIsWrong) {
   };
   EXPECT_EQ(error_of(isotropic(), {}).field, "scene");
   EXPECT_EQ(error_of(isotropic(), scene_of(0)).field, "scene.tolerance");
-  EXPECT_EQ(error_of(client::Material::named("nickel"), scene_of(0.1)).code, ErrorCode::not_found);
+  EXPECT_EQ(error_of(client::Material::named("brass"), scene_of(0.1)).code, ErrorCode::not_found);
   client::SelectOptions options = quick();
   options.seed = 0;
   EXPECT_EQ(error_of(isotropic(), scene_of(0.1), options).field, "options.seed");

@@ -108,6 +108,8 @@ TEST(Goniod, APortInUseIsAClearErrorAndANonZeroExit) {
 TEST(Goniod, BadArgumentsAreClearErrors) {
   const std::pair<std::vector<std::string>, const char*> cases[] = {
       {{"--no-such-option"}, "--no-such-option"},
+      {{"--materal", "x"}, "mean \"--materials\"?"},
+      {{"--log-level", "warn"}, "mean \"warning\"?"},
       {{"--threads", "many"}, "--threads"},
       {{"--max-message-mb", "0"}, "--max-message-mb"},
       {{"--log-format", "xml"}, "--log-format"},
@@ -134,7 +136,7 @@ TEST(Goniod, WhatCannotBeServedIsAClearError) {
   };
   for (const auto& [arguments, what] : cases) {
     const auto [code, output] = run(arguments);
-    EXPECT_EQ(code, 1);
+    EXPECT_EQ(code, 2);
     EXPECT_THAT(output, HasSubstr(what));
   }
 }

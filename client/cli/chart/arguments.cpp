@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "server/arguments/words.h"
+
 namespace gonio::cli {
 namespace {
 
@@ -38,7 +40,7 @@ void add_chart_options(CLI::App& command, ChartArguments& arguments) {
   command.add_option("--parts", arguments.parts, "Only these, separated by commas")
       ->type_name("PART")
       ->delimiter(',')
-      ->check(CLI::IsMember(part_names()));
+      ->check(arguments::one_of(part_names()));
   add_connection_options(command, arguments.connection);
   command.add_flag("--quick", arguments.quick, "Fewer and shorter repetitions: rough times");
   command.add_flag("--quiet,-q", arguments.quiet, "No progress bar, and do not list the files");
