@@ -1,4 +1,4 @@
-// Elementary functions of packets, with their errors. tests/numeric holds each to its statement.
+// Elementary functions of packets. errors.h states their errors; tests/numeric/proofs prove them.
 #pragma once
 
 #include "numeric/packet.h"
@@ -23,7 +23,7 @@ GONIO_INLINE void exact_sum(Double<E> a, Double<E> b, Double<E>& sum, Double<E>&
   error = (a - (sum - of_b)) + (b - of_b);
 }
 
-// ax bx + ay by + az bz to a relative error of 4e-16 down to sums of 1e-15 of the products (Ogita,
+// ax bx + ay by + az bz, relatively to kExactDotError down to sums of 1e-15 of the products (Ogita,
 // Rump & Oishi 2005, "Accurate Sum and Dot Product"). Quick: of float32 numbers, whose products are
 // exact.
 template <Exactness E>
@@ -46,8 +46,8 @@ GONIO_INLINE Double<E> exact_dot(const Vec3<Double<E>>& a, const Vec3<Double<E>>
 }
 
 // (w/s) log2(1 + s/c), given a = s + c, for s >= 0, c >= 0 (quick: c > 1e-150, as of float32
-// cosines) and w = 0 where s = 0: the logarithm to a relative error of 4e-9 (quick), 2e-15 (exact),
-// where s a is above 1e-240 (and towards 0 below).
+// cosines) and w = 0 where s = 0: relatively to kQuickWeightedLog2Error, kExactWeightedLog2Error
+// for s above 1e-100, where its square has all its digits (and towards 0 below).
 //
 // With k near log2(a/c) it is k plus the series of 2 artanh(z) / log 2, z = (a - c 2^k) /
 // (a + c 2^k), |z| < .201. The numerator is formed as s - c (2^k - 1): for k = 0 it is s itself,
@@ -56,7 +56,7 @@ template <Exactness E>
 GONIO_INLINE Double<E> weighted_log2_1p(Double<E> w, Double<E> s, Double<E> c, Double<E> a) {
   using D = Double<E>;
   constexpr double kLog2E = 1.44269504088896341;
-  // Minimax in z^2, relative error 2.5e-9; and Taylor's.
+  // Minimax in z^2; and Taylor's.
   static constexpr double kQuick[] = {2.885390074497867, 0.9618024151201555, 0.5763775016569772,
                                       0.4394355120717109};
   static constexpr double kExact[] = {kLog2E * 2,      kLog2E * 2 / 3,  kLog2E * 2 / 5,
@@ -79,13 +79,13 @@ GONIO_INLINE Double<E> weighted_log2_1p(Double<E> w, Double<E> s, Double<E> c, D
   }
 }
 
-// 2^x for x <= 0 as a number in [1/2, 1] and a whole power of two, so that what multiplies it comes
+// 2^x for x <= 0 as a number in [1, 2] and a whole power of two, so that what multiplies it comes
 // before an underflow; x below -255 counts as -255.
 struct QuickPower {
   Float number, exponent;
 };
 GONIO_INLINE QuickPower quick_exp2(Double<Exactness::quick> x) {
-  // 2^(m - 1) on [1, 2], minimax, relative error 2e-9 before rounding to float.
+  // 2^(m - 1) on [1, 2], minimax before rounding to float.
   static constexpr double kExp2[] = {
       0.5002514095335279,  0.3453396716528393,     0.12266852413489496,   0.02486719921157127,
       0.00671434311378965, -5.816856302982807e-05, 0.00021702277208753714};
@@ -93,12 +93,12 @@ GONIO_INLINE QuickPower quick_exp2(Double<Exactness::quick> x) {
   split_exponent(x, k, m);
   return {polynomial(m, kExp2), k};
 }
-// amplitude * 2^x for amplitude < 2^127. Relative error 2.5e-7.
+// amplitude * 2^x for amplitude < 2^127, relatively to kTimesExp2Error where that is normal.
 GONIO_INLINE Float times_exp2(Float amplitude, QuickPower power) {
   return scale(amplitude * power.number, power.exponent);
 }
 
-// amplitude * 2^x in float64, for x <= 0. Relative error 5e-16 (1 + |x|).
+// amplitude * 2^x in float64, for x <= 0, relatively to kExactTimesExp2Error; 0 below -1000.
 GONIO_INLINE Double<Exactness::exact> times_exp2(Double<Exactness::exact> amplitude,
                                                  Double<Exactness::exact> x) {
   using D = Double<Exactness::exact>;
@@ -122,8 +122,8 @@ GONIO_INLINE Double<Exactness::exact> times_exp2(Double<Exactness::exact> amplit
   return select(D(-1000) < x, result, D(0));
 }
 
-// The angle of (x, y) for x, y >= 0, in [0, pi/2]; 0 for (0, 0). Error 1e-10 (quick), 3e-16
-// (exact).
+// The angle of (x, y) for x, y >= 0, in [0, pi/2]; 0 for (0, 0). To kQuickAngleError and
+// kExactAngleError.
 //
 // The smaller over the larger component is brought within tan(pi/16) of one of the angles 0, pi/8,
 // pi/4.

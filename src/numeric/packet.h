@@ -2,8 +2,8 @@
 //
 // They behave like numbers (+ - * /, comparisons, select instead of ?:), so that a formula is
 // written once for packets, scalars and dual numbers. Double<Exactness> comes in two kinds: `exact`
-// divides correctly rounded; `quick` divides to 2^-42, and its elementary functions are good to
-// 1e-9, which is what float32 results need. Compiled once per instruction set, in the namespace of
+// divides correctly rounded; `quick` divides to 42 bits, and its elementary functions are as good
+// as float32 results need (errors.h). Compiled once per instruction set, in the namespace of
 // GONIO_ISA.
 #pragma once
 

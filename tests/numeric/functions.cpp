@@ -55,6 +55,12 @@ void dot(const double* a, const double* b, std::size_t n, double* out) {
 }
 
 template <class Packet, class Number>
+void inverse_length(const Number* e, std::size_t n, Number* out) {
+  for (std::size_t i = 0; i < n; i += raw::kWidth)
+    Fast::inverse_length(Packet::load(e + i)).store(out + i);
+}
+
+template <class Packet, class Number>
 void log2_of_rest(const Number* x, std::size_t n, Number* out) {
   for (std::size_t i = 0; i < n; i += raw::kWidth)
     log2_one_minus(Packet::load(x + i)).store(out + i);
@@ -66,6 +72,15 @@ void power_of_two(const Number* x, std::size_t n, Number* power, Number* one_min
     const auto found = exp2_of(Packet::load(x + i));
     found.power.store(power + i);
     found.one_minus.store(one_minus + i);
+  }
+}
+
+template <class Packet, class Number>
+void half_turns(const Number* x, std::size_t n, Number* cos, Number* sin) {
+  for (std::size_t i = 0; i < n; i += raw::kWidth) {
+    const auto found = half_turn(Packet::load(x + i));
+    found.cos.store(cos + i);
+    found.sin.store(sin + i);
   }
 }
 
@@ -91,10 +106,14 @@ const testing::Functions kFunctions{&weighted_log2<Quick>,
                                     &product,
                                     &dot<Quick>,
                                     &dot<Exact>,
+                                    &inverse_length<Float>,
+                                    &inverse_length<Quick>,
                                     &log2_of_rest<Float>,
                                     &log2_of_rest<Exact>,
                                     &power_of_two<Float>,
                                     &power_of_two<Exact>,
+                                    &half_turns<Float>,
+                                    &half_turns<Exact>,
                                     &turns<Float>,
                                     &turns<Exact>};
 
