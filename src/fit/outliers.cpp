@@ -61,7 +61,8 @@ std::string outliers_of(const Data& data) {
 void judge_outliers(const Data& data, Certificate& certificate) {
   const std::string found = outliers_of(data);
   if (found.empty()) return;
-  if (certificate.objective != Objective::log) certificate.verdict = Verdict::failed;
+  if (certificate.objective != Objective::log && certificate.verdict == Verdict::converged)
+    certificate.verdict = Verdict::failed;
   certificate.reason =
       found + ": the fit follows that and says nothing of the rest; " + certificate.reason;
 }

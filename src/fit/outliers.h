@@ -14,7 +14,8 @@ namespace gonio::fit {
 // what is more than 1000 times the next smaller one, among the largest 0.1 % (and at least three).
 std::string outliers_of(const Data& data);
 
-// Says so in the certificate. The verdict becomes `failed` unless the objective is of logarithms.
+// Says so in the certificate's reason. A fit that `converged` on it has failed, unless the
+// objective is of logarithms.
 void judge_outliers(const Data& data, Certificate& certificate);
 
 }  // namespace gonio::fit

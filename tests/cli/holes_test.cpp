@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/json_text.h"
 #include "cli/run_process.h"
 #include "measured/synthetic_merl.h"
 
