@@ -12,6 +12,7 @@
 #include <thread>
 #include <tuple>
 
+#include "gonio/measured/table.h"
 #include "measured/synthetic_merl.h"
 #include "measured/temp_folder.h"
 #include "server/daemon.h"
@@ -225,7 +226,7 @@ struct SlowPut {
     call = stub->PutMaterial(&context, &response);
     v1::PutMaterialRequest part;
     part.mutable_file()->set_name("grey");
-    part.mutable_file()->set_size(35'000'000);
+    part.mutable_file()->set_size(12 + 3 * sizeof(double) * MeasuredTable::kCells);
     part.mutable_file()->set_sha256(std::string(32, 'x'));
     EXPECT_TRUE(call->Write(part));
   }
