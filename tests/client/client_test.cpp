@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -48,6 +49,24 @@ Results<Out> evaluate(const client::Client& client, const Material& material,
   EXPECT_TRUE(report.ok()) << report.error().message;
   if (report) results.report = *report;
   return results;
+}
+
+TEST_F(ClientTest, ListsWhatTheServerDoesNotServe) {
+  const gonio::testing::TempFolder folder;
+  std::ofstream(folder / "gold.json") << R"({"model": "ggx"})";
+  std::ofstream(folder / "rough.json") << R"({"model": "ggx", "parameters": {"alpha_x": 7}})";
+  ServerOptions options;
+  options.materials = folder / "";
+  const auto server = Server::start(options);
+  ASSERT_TRUE(server.ok());
+  const auto client = client::Client::from_channel((*server)->in_process_channel(), "it");
+  const auto catalogue = client->list_models();
+  ASSERT_TRUE(catalogue.ok());
+  EXPECT_THAT(catalogue->materials, ::testing::ElementsAre("gold"));
+  ASSERT_EQ(catalogue->skipped_materials.size(), 1U);
+  EXPECT_EQ(catalogue->skipped_materials[0].name, "rough");
+  EXPECT_THAT(catalogue->skipped_materials[0].reason,
+              ::testing::AllOf(HasSubstr("rough.json"), HasSubstr("alpha_x is 7")));
 }
 
 TEST_F(ClientTest, ListsModels) {

@@ -46,13 +46,14 @@ TEST_F(ErrorTest, WrongLengths) {
 }
 
 TEST_F(ErrorTest, WrongOptions) {
-  for (const char* address : {"", "localhost", "localhost:", ":80", "localhost:0", "host:65536",
-                              "::1:80", "http://host:80", "host:80/x", "unix:", "[]:80"}) {
+  for (const char* address :
+       {"", "localhost", "localhost:", ":80", "localhost:0", "host:65536", "::1:80",
+        "http://host:80", "host:80/x", "unix:", "[]:80", "unix://x", "unix-abstract:80"}) {
     const auto client = Client::connect(address);
     ASSERT_FALSE(client.ok()) << address;
     EXPECT_THAT(client.error().message, AllOf(HasSubstr(address), HasSubstr("host:port")));
   }
-  for (const char* address : {"localhost:80", "[::1]:80", "unix:/x", "unix:x"}) {
+  for (const char* address : {"localhost:80", "[::1]:80", "unix:/x", "unix:x", "unix:a#b"}) {
     EXPECT_TRUE(Client::connect(address).ok()) << address;
   }
   for (auto change :

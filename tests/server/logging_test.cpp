@@ -4,14 +4,18 @@
 #include <google/protobuf/util/json_util.h>
 #include <gtest/gtest.h>
 
+#include "gonio/base/shown.h"
+
 namespace gonio {
 namespace {
 
-std::string formatted(const std::string& text) {
+template <class Formatter>
+std::string formatted_by(const std::string& text) {
   spdlog::memory_buf_t out;
-  JsonFormatter().format(spdlog::details::log_msg("goniod", spdlog::level::warn, text), out);
+  Formatter().format(spdlog::details::log_msg("goniod", spdlog::level::warn, text), out);
   return {out.data(), out.size()};
 }
+std::string formatted(const std::string& text) { return formatted_by<JsonFormatter>(text); }
 
 google::protobuf::Struct parsed(const std::string& line) {
   google::protobuf::Struct object;
@@ -19,32 +23,38 @@ google::protobuf::Struct parsed(const std::string& line) {
   return object;
 }
 
-TEST(JsonLog, EveryCharacterSurvives) {
-  std::string text;
-  for (char c = 1; c < 127; ++c) text.push_back(c);
-  text += "\xC3\xA9 \xE2\x82\xAC \xF0\x9F\x98\x80";
-  const std::string line = formatted(text);
+// What a header, a file's name or a parameter's name may hold.
+const std::string& foreign() {
+  static const std::string kText = [] {
+    std::string text;
+    for (int c = 0; c < 256; ++c) text.push_back(static_cast<char>(c));
+    return text +
+           "\n2024-01-31 12:00:00.000 info forged\n\x1b[2J \xE2\x80\xAE \xED\xA0\x80 \xC3\xA9";
+  }();
+  return kText;
+}
+
+TEST(JsonLog, HoldsTheMessageAsItIsShown) {
+  const std::string line = formatted(foreign());
   EXPECT_EQ(line.find('\n'), line.size() - 1);
   const auto object = parsed(line);
-  EXPECT_EQ(object.fields().at("message").string_value(), text);
+  EXPECT_EQ(object.fields().at("message").string_value(), shown(foreign()));
   EXPECT_EQ(object.fields().at("level").string_value(), "warning");
   EXPECT_EQ(object.fields().at("time").string_value().size(),
             std::string("2024-01-31T12:00:00.000Z").size());
 }
 
-TEST(JsonLog, BytesThatAreNotUtf8AreReplaced) {
-  for (const std::string bytes :
-       {"\xff", "\xC3", "\xE2\x82", "\xC0\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80"}) {
-    const auto object = parsed(formatted("a" + bytes + "b"));
-    const std::string message = object.fields().at("message").string_value();
-    EXPECT_EQ(message.substr(0, 4), "a\xEF\xBF\xBD");
-    EXPECT_EQ(message.back(), 'b');
-  }
+TEST(TextLog, HoldsTheMessageAsItIsShownOnOneLine) {
+  const std::string line = formatted_by<TextFormatter>(foreign());
+  EXPECT_EQ(line.find('\n'), line.size() - 1);
+  EXPECT_EQ(line.substr(line.find(" warning ")), " warning " + shown(foreign()) + "\n");
+  EXPECT_EQ(line.find(" warning "), std::string("2024-01-31 12:00:00.000").size());
 }
 
-TEST(JsonLog, NulByte) {
-  EXPECT_EQ(parsed(formatted(std::string(1, '\0'))).fields().at("message").string_value().size(),
-            1U);
+TEST(Log, AMessageWithoutEndIsCut) {
+  const std::string line = formatted_by<TextFormatter>(std::string(1 << 20, 'x'));
+  EXPECT_LT(line.size(), 10'000U);
+  EXPECT_EQ(line.substr(line.size() - 4), "...\n");
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 void write(const std::filesystem::path& file, const std::string& text) {
   std::ofstream(file) << text;
@@ -31,11 +32,35 @@ ServerOptions serving(const TempFolder& folder) {
   return options;
 }
 
-// The message of a folder that must not load.
+v1::ListModelsResponse listed_by(TestServer& server) {
+  grpc::ClientContext context;
+  v1::ListModelsResponse listed;
+  EXPECT_TRUE(server.stub->ListModels(&context, {}, &listed).ok());
+  return listed;
+}
+
+// What a check says of a folder of which nothing but "good" can be served. A server starts with it,
+// serves that, and says the same.
 std::string refusal(const TempFolder& folder) {
-  const auto server = Server::start(serving(folder));
-  EXPECT_FALSE(server.ok());
-  return server ? "" : server.error().message;
+  write(folder / "good.json", R"({"model": "lambertian"})");
+  const auto checked = Server::check(serving(folder));
+  EXPECT_FALSE(checked.ok());
+  if (checked) return "";
+  TestServer server(serving(folder));
+  const auto listed = listed_by(server);
+  EXPECT_THAT(listed.materials(), ElementsAre("good"));
+  EXPECT_GT(listed.skipped_materials_size(), 0);
+  for (const auto& skipped : listed.skipped_materials()) {
+    EXPECT_THAT(checked.error().message, HasSubstr(skipped.reason()));
+    EXPECT_THAT(skipped.reason(), Not(HasSubstr((folder / "").string())));
+    v1::EvaluateRequest request = request_for(random_pairs(1), 0, 1);
+    request.mutable_material()->set_name(skipped.name());
+    const Error error = server.refused(request);
+    EXPECT_EQ(error.code, ErrorCode::not_found);
+    EXPECT_EQ(error.field, "material.name");
+    EXPECT_THAT(error.message, AllOf(HasSubstr(skipped.name()), HasSubstr("cannot use")));
+  }
+  return checked.error().message;
 }
 
 std::vector<float> values_of(TestServer& server, const std::string& name, const PairArrays& pairs) {
@@ -176,7 +201,7 @@ TEST(Materials, ALocalFileIsReadAgainWhenItHasChanged) {
   EXPECT_EQ(embedded.refused(request).code, ErrorCode::not_found);
 }
 
-TEST(Materials, BadFilesStopTheStartAndAreNamed) {
+TEST(Materials, BadFilesAreSkippedAndNamed) {
   const std::pair<const char*, const char*> cases[] = {
       {"{", "JSON"},
       {"", "empty"},
@@ -191,6 +216,7 @@ TEST(Materials, BadFilesStopTheStartAndAreNamed) {
       {R"({"model": "measured", "parameters": {"file": "/etc/passwd"}})",
        "within the materials folder"},
       {R"({"model": "measured"})", "parameters.file"},
+      {"\xFF\xFE{\0", "bad.json"},
   };
   for (const auto& [json, what] : cases) {
     const TempFolder folder;
@@ -222,7 +248,7 @@ TEST(Materials, ATruncatedMerlFileIsNamed) {
   EXPECT_THAT(refusal(folder), HasSubstr("short.binary"));
 }
 
-TEST(Materials, TwoFilesOfOneNameAreRefused) {
+TEST(Materials, OfTwoFilesOfOneNameNeitherIsServed) {
   const TempFolder folder;
   write(folder / "gold.json", R"({"model": "ggx"})");
   write(folder / "gold.binary", "x");
@@ -236,6 +262,12 @@ TEST(Materials, OddDirectoryEntriesAreNamed) {
   const TempFolder other;
   write(other / "caf\xE9.json", R"({"model": "ggx"})");
   EXPECT_THAT(refusal(other), HasSubstr("UTF-8"));
+}
+
+TEST(Materials, AFolderWithoutAFaultIsFoundGood) {
+  const TempFolder folder;
+  write(folder / "gold.json", R"({"model": "ggx"})");
+  EXPECT_TRUE(Server::check(serving(folder)).ok());
 }
 
 TEST(Materials, AMissingFolderIsNamed) {

@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -156,19 +157,31 @@ TEST_F(Put, GoesIntoTheFolderAsAWhole) {
   EXPECT_THAT(names(), ElementsAre("gold", "grey"));
 }
 
-TEST_F(Put, LeftoversOfAKilledServerGoAfterADay) {
+TEST_F(Put, LeftoversGoUnlessALivingServerHasThem) {
   const TempFolder folder;
-  const auto now = std::filesystem::file_time_type::clock::now();
-  for (const auto& [name, hours] :
-       {std::pair(".put-oldOLD", 25), {".put-newNEW", 1}, {".put-a.json", 25}, {"old.txt", 25}}) {
+  for (const char* name : {".put-oldOLD", ".put-newNEW", ".put-a.json", "old.txt"})
     std::ofstream(folder / name) << R"({"model": "lambertian"})";
-    std::filesystem::last_write_time(folder / name, now - std::chrono::hours(hours));
-  }
+  std::filesystem::create_symlink(folder / "old.txt", folder / ".put-linked");
+  const int living = ::open((folder / ".put-newNEW").c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(::flock(living, LOCK_EX), 0);
   options_.materials = folder / "";
   start(options_);
   EXPECT_FALSE(std::filesystem::exists(folder / ".put-oldOLD"));
-  for (const char* other : {".put-newNEW", ".put-a.json", "old.txt"})
+  for (const char* other : {".put-newNEW", ".put-a.json", "old.txt", ".put-linked"})
     EXPECT_TRUE(std::filesystem::exists(folder / other)) << other;
+  ::close(living);
+  start(options_);
+  EXPECT_FALSE(std::filesystem::exists(folder / ".put-newNEW"));
+}
+
+TEST_F(Put, AFileThatIsNotServedKeepsItsName) {
+  const TempFolder folder;
+  std::ofstream(folder / "grey.binary") << "broken";
+  options_.materials = folder / "";
+  start(options_);
+  const Error error = refused({announced("grey", content().size(), sum_)});
+  EXPECT_EQ(error.code, ErrorCode::already_exists);
+  EXPECT_THAT(error.value, HasSubstr("cannot use"));
 }
 
 TEST_F(Put, DoesNotReplaceAFileThatCameMeanwhile) {

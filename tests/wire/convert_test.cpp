@@ -4,6 +4,7 @@
 #include <google/protobuf/util/json_util.h>
 #include <gtest/gtest.h>
 
+#include "gonio/base/shown.h"
 #include "wire/status.h"
 
 namespace gonio::wire {
@@ -76,6 +77,21 @@ TEST(Status, LongTextsFitIntoHeaders) {
   const std::string huge(1'000'000, 'x');
   const grpc::Status status = to_status(bad_value(huge, huge, huge));
   EXPECT_LT(3 * status.error_message().size() + 4 * status.error_details().size() / 3, 6000U);
+}
+
+// Protobuf refuses strings that are not UTF-8; a terminal obeys what they may hold.
+TEST(Status, TextsAreUtf8OnOneLineGoingAndComing) {
+  const std::string foreign("a\xFF\0\n\x1b[2J\xED\xA0\x80", 11);
+  const Error error{ErrorCode::data_loss, foreign, foreign, foreign, foreign};
+  const auto detail = to_detail(error);
+  gonio::v1::ErrorDetail parsed;
+  ASSERT_TRUE(parsed.ParseFromString(detail.SerializeAsString()));
+  EXPECT_EQ(parsed.message(), shown(foreign));
+  EXPECT_EQ(from_status(to_status(error)).value, shown(foreign));
+  EXPECT_EQ(from_status({grpc::StatusCode::INTERNAL, foreign}).message, shown(foreign));
+  gonio::v1::ErrorDetail sent;
+  sent.set_message("\x1b[2J");
+  EXPECT_EQ(from_detail(sent).message, "\\x1b[2J");
 }
 
 TEST(Status, ShorteningKeepsCharactersWhole) {
