@@ -153,6 +153,17 @@ std::vector<std::string> partners_of(const std::string& field, const Certificate
   return partners;
 }
 
+// Numbers of which the data say nothing, shapes and colours.
+Reason undetermined(const Certificate& report) {
+  std::vector<std::string> fields;
+  for (const ParameterReport& p : report.parameters) {
+    const bool known = std::find(fields.begin(), fields.end(), p.field) != fields.end();
+    if (!p.determined && !p.at_bound && !known) fields.push_back(p.field);
+  }
+  if (fields.empty()) return {};
+  return "not determined by the data: " + joined(fields);
+}
+
 // A shape whose interval is wider than a factor of two either way says little; so does a rotation
 // that could be anywhere in a third of a quarter.
 bool is_vague(const ParameterReport& p) {
@@ -164,13 +175,10 @@ Reason vague(const Certificate& report) {
   for (const ParameterReport& p : report.parameters) {
     const bool shape =
         std::find(report.shapes.begin(), report.shapes.end(), p.field) != report.shapes.end();
-    if (!shape || p.at_bound) continue;
+    if (!shape || p.at_bound || !is_vague(p)) continue;
     const std::vector<std::string> partners = partners_of(p.field, report);
-    const std::string with = partners.empty() ? "" : "; it goes together with " + joined(partners);
-    if (!p.determined) return p.field + " is not determined by the data" + with;
-    if (!is_vague(p)) continue;
     return p.field + " is hardly determined: " + number(p.lower) + " to " + number(p.upper) +
-           " at 95 %" + with;
+           " at 95 %" + (partners.empty() ? "" : "; it goes together with " + joined(partners));
   }
   return {};
 }
@@ -199,6 +207,7 @@ void decide(const Form& form, std::span<const double> parameters, const Data& fi
   take(Verdict::ambiguous, wide_profile(report));
   take(Verdict::bound_limited, held(report));
   take(Verdict::ambiguous, unseen(report));
+  take(Verdict::ambiguous, undetermined(report));
   take(Verdict::ambiguous, vague(report));
   if (!report.reason.empty()) return;
   report.verdict = Verdict::converged;
