@@ -17,10 +17,10 @@ std::string bounds_of(const Parameter& p) {
   return "[" + text_of(p.lower) + ", " + text_of(p.upper) + "]";
 }
 
-// An angle that would do in degrees was meant in them.
+// An angle far beyond its range that would do in degrees was meant in them.
 std::string degrees_hint(const Parameter& p, double number) {
   const double radians = number * std::numbers::pi / 180;
-  const bool meant = p.unit == "rad" && radians >= p.lower && radians <= p.upper;
+  const bool meant = p.unit == "rad" && number > 2 * p.upper && radians <= p.upper;
   return meant ? " in radians: " + text_of(number) + " degrees are " + text_of(radians) : "";
 }
 
