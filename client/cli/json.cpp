@@ -3,18 +3,34 @@
 #include <google/protobuf/util/json_util.h>
 #include <google/protobuf/wrappers.pb.h>
 
+#include <algorithm>
+
 #include "client/cli/numbers.h"
 #include "gonio/base/shown.h"
 
 namespace gonio::cli {
 
+namespace {
+
+// shown() writes only bytes that are no part of a character as "\x80", and nothing in a run of
+// bytes beyond ASCII has these letters by itself.
+bool is_utf8(std::string_view text) {
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  for (auto at = text.begin(); at != text.end();) {
+    const auto begin = std::find_if_not(at, text.end(), is_ascii);
+    at = std::find_if(begin, text.end(), is_ascii);
+    if (shown(std::string(begin, at)).find("\\x") != std::string::npos) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 std::string json_string(std::string_view text) {
   google::protobuf::StringValue value;
-  value.set_value(std::string(text));
+  // Protobuf leaves out what is not UTF-8.
+  value.set_value(is_utf8(text) ? std::string(text) : shown(text));
   std::string json;
-  if (google::protobuf::util::MessageToJsonString(value, &json).ok()) return json;
-  value.set_value(shown(text));  // bytes that are not UTF-8
-  json.clear();
   return google::protobuf::util::MessageToJsonString(value, &json).ok() ? json : "\"\"";
 }
 

@@ -245,7 +245,8 @@ TEST_F(FitCommand, TakesFilesOfTheRglDatabase) {
   write_file(folder_ / "cut.bsdf", "tensor_file");
   const auto cut = run("gonio fit --data $D/cut.bsdf --model ggx");
   EXPECT_EQ(cut.exit_code, 2);
-  EXPECT_THAT(cut.err, HasSubstr("cut.bsdf: found other first bytes; expected `tensor_file`"));
+  EXPECT_THAT(cut.err,
+              HasSubstr("cut.bsdf: found 'tensor_file' at its beginning; expected `tensor_file`"));
 }
 
 TEST_F(FitCommand, CompareNamesWhatIsWrong) {
