@@ -19,6 +19,7 @@
 #include "gonio/models/description.h"
 #include "models/parameter_values.h"
 #include "numeric/type_list.h"
+#include "parts/cosine_power.h"
 #include "parts/fresnel.h"
 #include "parts/geometry.h"
 #include "parts/half_vector_sampling.h"
@@ -67,8 +68,8 @@ struct AshikhminShirley {
       .source = "Ashikhmin & Shirley 2000, An Anisotropic Phong BRDF Model, eq. 4, 5",
       .role = Role::specular,
       .parameters = kParameters,
-      .fast = {.relative = 3e-6},
-      .reference = {.relative = 3e-9, .note = "3e-11 for exponents up to 1000"},
+      .fast = {.relative = 3e-6, .note = cosine_power::kFastNote},
+      .reference = {.relative = 3e-9, .note = cosine_power::kReferenceNote},
       .along_tangents = {"nu", "nv"}};
   using Kinds = TypeList<AshikhminShirley>;
 

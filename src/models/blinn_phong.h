@@ -27,8 +27,8 @@ struct BlinnPhong {
       .source = "Blinn 1977; Nielsen, Frisvad, Conradsen & Aanaes 2014, eq. 2 with the exact norm",
       .role = Role::specular,
       .parameters = kParameters,
-      .fast = {.relative = 3e-6},
-      .reference = {.relative = 3e-9, .note = "3e-11 for exponents up to 1000"}};
+      .fast = {.relative = 3e-6, .note = cosine_power::kFastNote},
+      .reference = {.relative = 3e-9, .note = cosine_power::kReferenceNote}};
   using Kinds = FresnelKinds<BlinnPhong>;
 
   template <class S>

@@ -51,8 +51,10 @@ struct CookTorrance {
       .source = "Cook & Torrance 1982, A Reflectance Model for Computer Graphics",
       .role = Role::specular,
       .parameters = kParameters,
-      .fast = {.relative = 3e-6},
-      .reference = {.relative = 3e-9, .note = "3e-11 for m of 0.03 and more, s up to 1000"}};
+      .fast = {.relative = 3e-6, .note = cosine_power::kFastNote},
+      .reference = {.relative = 3e-9,
+                    .note = "5e-8 for exponents above 5e4 where both cosines are below 1e-4; "
+                            "3e-11 for m of 0.03 and more, s up to 1000"}};
 
   struct Beckmann;
   struct CosinePower;

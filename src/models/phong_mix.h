@@ -34,8 +34,8 @@ struct PhongMix {
       .source = "Nielsen, Frisvad, Conradsen & Aanaes 2014, eq. 3",
       .role = Role::specular,
       .parameters = kParameters,
-      .fast = {.relative = 3e-6},
-      .reference = {.relative = 3e-9, .note = "3e-11 for exponents up to 1000"},
+      .fast = {.relative = 3e-6, .note = cosine_power::kFastNote},
+      .reference = {.relative = 3e-9, .note = cosine_power::kReferenceNote},
       .albedo_limit = 3.1416};
   using Kinds = FresnelKinds<PhongMix>;
 

@@ -6,6 +6,8 @@
 // wo|^2 / 2, and wr - wo has the components -Hx, -Hy and the difference of the cosines.
 #pragma once
 
+#include <string_view>
+
 #include "gonio/models/description.h"
 #include "parts/geometry.h"
 
@@ -25,6 +27,14 @@ constexpr Parameter exponent_used_with(UsedWith used_with) {
   exponent.used_with = used_with;
   return exponent;
 }
+
+// Where errors of powers of n.h are larger: both directions all but in the surface and opposite, H
+// is what two unit vectors leave of each other, 1e-8 of them, and its error is as large to it.
+inline constexpr std::string_view kFastNote =
+    "5e-5 for exponents above 5e4 where both cosines are below 1e-4";
+inline constexpr std::string_view kReferenceNote =
+    "5e-8 for exponents above 5e4 where both cosines are below 1e-4; "
+    "3e-11 for exponents up to 1000";
 
 // log2 of (n.h)^s, from -s/2.
 template <class N>
