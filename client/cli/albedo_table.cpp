@@ -17,8 +17,6 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 std::string fixed(const char* format, double number) {
   char text[64];
   std::snprintf(text, sizeof text, format, number);
-  if (has_holes)
-    text += "holes: the part of the hemisphere whose values the table has not measured\n";
   return text;
 }
 
@@ -68,6 +66,8 @@ std::string albedo_text(const std::vector<double>& wi, const client::Albedos& al
     text += flags == 0 ? numbers_of(albedos, i) : "  " + flag_words(flags);
     text += has_holes && flags == 0 ? fixed("  %8.3g\n", albedos.holes[i]) : "\n";
   }
+  if (has_holes)
+    text += "holes: the part of the hemisphere whose values the table has not measured\n";
   return text;
 }
 
