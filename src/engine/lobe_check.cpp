@@ -32,9 +32,9 @@ Outcome check_names(const ModelDescription& model, const NamedLobe& lobe) {
   const std::vector<std::string_view> known = parameter_names(model);
   for (const auto& [name, value] : lobe.spec->parameters) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    return bad_value(
-        lobe.prefix + "parameters." + name, "not a parameter of " + std::string(model.name),
-        known.empty() ? "no parameters" : joined(known) + did_you_mean(name, known));
+    return bad_value(lobe.prefix + "parameters." + name,
+                     "not a parameter of " + std::string(model.name),
+                     known.empty() ? "no parameters" : joined(known) + did_you_mean(name, known));
   }
   return Ok{};
 }

@@ -122,7 +122,7 @@ TEST(ChartCommand, BadInputIsRefusedBeforeTheWork) {
       {"-o " + out + " --data " + bad, bad},
       {"-o " + out + " --data /nowhere.binary", "/nowhere.binary"},
       {"-o " + out + " --quick --parts fits --data " + (folder / "nan.csv").string(),
-       "data is 0 usable pairs (1 left out)"},
+       "without a usable pair, 1 left out (1 not finite)"},
       {"-o " + out + " --parts resolution --data " + pairs, "resolution, of scattered pairs"}};
   for (const auto& [arguments, words] : cases) {
     const auto result = shell("gonio chart " + arguments);

@@ -1,10 +1,9 @@
-#include "engine/evaluate.h"
-
 #include <gonio/engine/evaluate.h>
 #include <gonio/engine/material.h>
 #include <gonio/measured/table.h>
 
 #include "base/result.h"
+#include "engine/evaluate.h"
 
 extern "C" int reads() {
   const auto table = gonio::MeasuredTable::read_merl("none.binary");
