@@ -73,9 +73,9 @@ Result<CheckedMaterial> check_material(const MaterialSpec& spec, std::string_vie
     material.lobes.push_back(std::move(checked).value());
   }
   material.channels = channels.count;
-  if (!spec.rotation) return material;
-  if (Outcome rotation = check_rotation(*spec.rotation, prefix); !rotation) return rotation.error();
-  material.rotation = *spec.rotation;
+  material.rotation = spec.rotation.value_or(kRotation.start);
+  if (Outcome rotation = check_rotation(material.rotation, prefix); !rotation)
+    return rotation.error();
   for (CheckedLobe& lobe : material.lobes) turn(lobe, material.rotation);
   return material;
 }

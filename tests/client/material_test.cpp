@@ -39,11 +39,13 @@ TEST(Material, ItsRotationGoesThroughJson) {
   const Material gold = Material::named("gold").rotated(30);
   EXPECT_EQ(gold.to_json(), R"({"name":"gold","rotation":30})");
   EXPECT_EQ(Material::from_json(gold.to_json())->wire(), gold.wire());
-  const auto written = Material::from_json(R"({"model": "ggx", "rotation": -12.5})");
+  const auto written =
+      Material::from_json(R"({"model": "ggx", "parameters": {}, "rotation": -12.5})");
   ASSERT_TRUE(written.ok()) << written.error().message;
   EXPECT_EQ(written->wire(), Material::model("ggx").rotated(-12.5).wire());
   // A given 0 is not the same as none: a fit holds it.
-  EXPECT_EQ(Material::model("ggx").rotated(0).to_json(), R"({"model":"ggx","rotation":0})");
+  EXPECT_EQ(Material::model("ggx").rotated(0).to_json(),
+            R"({"model":"ggx","parameters":{},"rotation":0})");
   const auto word = Material::from_json(R"({"model": "ggx", "rotation": "left"})");
   ASSERT_FALSE(word.ok());
   EXPECT_THAT(word.error().message, HasSubstr("rotation"));

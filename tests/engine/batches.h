@@ -36,6 +36,7 @@ inline std::vector<NamedMaterial> all_kinds_of_material() {
                        {{"alpha_x", Colour{0.1}}, {"alpha_y", Colour{0.3}}, {"eta", spectrum}}};
   const LobeSpec coat{"ggx",
                       {{"alpha_x", Colour{0.1}}, {"alpha_y", Colour{0.1}}, {"k", Colour{2}}}};
+  const LobeSpec brushed{"ward", {{"alpha_x", Colour{0.1}}, {"alpha_y", Colour{0.4}}}};
   std::vector<NamedMaterial> all;
   const auto add = [&all](std::string name, const MaterialSpec& spec) {
     auto material = Material::create(spec);
@@ -48,7 +49,7 @@ inline std::vector<NamedMaterial> all_kinds_of_material() {
   add("ggx in 64 channels", {glass, {}, {}});
   add("sum", {{}, base, {phong, metal, coat, phong}});
   add("ashikhmin_shirley, turned", {phong, {}, {}, 30});
-  add("sum, turned", {{}, base, {glass, metal}, -77.7});
+  add("sum, turned", {{}, base, {brushed, metal}, -77.7});
   const auto table = MeasuredTable::from_values(tabulate(glossy_example));
   all.push_back({"measured", Material::from_table(*table, Interpolation::linear)});
   all.push_back({"measured, nearest", Material::from_table(*table, Interpolation::nearest)});

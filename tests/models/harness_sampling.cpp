@@ -90,7 +90,8 @@ Integrated integrate(const SamplingSubject<double>& subject, const Place& place)
     }
     return columns;
   };
-  Integrated all{Subdivision(unit, 1 + 2 * channels, integrands), {}, 0, false};
+  const double tangents = subject.spec.rotation.value_or(0) * std::numbers::pi / 180;
+  Integrated all{Subdivision(unit, 1 + 2 * channels, integrands, tangents), {}, 0, false};
   all.bins = all.subdivision.bins(1. / kBins);
   // Most materials lose none; a regular grid is for those that do.
   if (subject.draw(place.wi, numbers<double>(place.seed, kDrawn)).lost > 0)
