@@ -13,6 +13,7 @@
 #include "client/retry.h"
 #include "client/rpc.h"
 #include "client/state.h"
+#include "gonio/base/shown.h"
 #include "gonio/v1/models.pb.h"
 #include "wire/address.h"
 #include "wire/message.h"
@@ -97,7 +98,7 @@ Result<Client> Client::connect(const std::string& address, const ClientOptions& 
   return from_channel(
       grpc::CreateCustomChannel(wire::grpc_target(*where), grpc::InsecureChannelCredentials(),
                                 arguments(options)),
-      "the server at " + address, options);
+      "the server at " + shown(address), options);
 }
 
 Result<Client> Client::from_channel(std::shared_ptr<grpc::Channel> channel, std::string name,

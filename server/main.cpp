@@ -58,7 +58,7 @@ std::string check_mode(const std::string& text) {
   const bool octal =
       !text.empty() && text.size() <= 4 && text.find_first_not_of("01234567") == std::string::npos;
   if (octal) return {};
-  return "\"" + gonio::shown(text) + "\" is not an octal mode from 0600 to 0777";
+  return "\"" + gonio::shown(text) + "\" is not an octal number of up to four digits";
 }
 
 void describe_service(CLI::App& app, Arguments& arguments) {
@@ -80,8 +80,10 @@ void describe_service(CLI::App& app, Arguments& arguments) {
          "that cannot be used; if it can be written to, materials that clients put go there, else "
          "into memory")
       ->type_name("DIR");
-  app.add_flag("--check", arguments.check_only,
-               "Load everything, say what is wrong and exit with 1 if anything is; serve nothing");
+  app.add_flag(
+      "--check", arguments.check_only,
+      "Load everything, report what cannot be used and exit with status 2 if anything cannot; "
+      "serve nothing");
   app.add_option("-t,--threads", server.threads, "Compute threads; 0: one per processor")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
@@ -266,9 +268,8 @@ std::string text_of(CLI::App& app, const Arguments& arguments) {
 
 int main(int argc, char** argv) try {
   CLI::App app(
-      "goniod serves batched BRDF evaluation over gRPC. Stop it with SIGTERM or Ctrl-C; twice, and "
-      "it "
-      "waits for no call.",
+      "goniod serves batched BRDF evaluation over gRPC. SIGTERM or Ctrl-C stops it; a second one "
+      "cancels the calls under way.",
       "goniod");
   Arguments arguments;
   describe(app, arguments);

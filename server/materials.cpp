@@ -186,7 +186,9 @@ Result<PreparedMaterial> Materials::resolve(const std::optional<std::string>& by
 }
 
 std::optional<v1::Material> Materials::substance_of(const v1::Material& material) const {
-  if (!is_named(material) || holds(material.name())) return std::nullopt;
+  // A file that cannot be used keeps its name: its error must not become another material.
+  if (!is_named(material) || holds(material.name()) || find_skipped(material.name()) != nullptr)
+    return std::nullopt;
   auto substance = preset_material(material.name());
   if (substance && material.has_rotation()) substance->set_rotation(material.rotation());
   return substance;

@@ -17,8 +17,8 @@ namespace gonio::cli {
 namespace {
 
 constexpr const char* kFooter = R"(
-Data: with --server, the name of a measured material that the server holds ('gonio put'); else a file, by its
-extension:
+Data: with --server, the name of a measured material that the server holds ('gonio put'); else a file. Its
+content says what it is; where that leaves a doubt, its extension does:
   .binary         MERL's table of half and difference angles
   .brdf           Cornell's text: wavelengths, then theta_i phi_i theta_s phi_s and a value for each
   .dat, .alta     ALTA's text, with the parametrisation ISOTROPIC_TL_TV_PROJ_DPHI
@@ -29,7 +29,8 @@ extension:
                   a column `weight` says how many sr^2 of pairs of directions a row stands for
 Without weights, measurements of a goniometer (8 and more wo for each wi) are weighed by the directions
 that are nearest to each, others all the same. Entries that are not finite, not unit, below the
-horizon or negative are left out and counted.
+horizon or negative are left out and counted, and so are rows of a CSV whose `flags` are not 0: a
+hole of a table (128) is no measurement.
 
 A specular model is fitted as a lobe over a lambertian base, with the exact Fresnel term of a
 dielectric if it takes one; NAME:none, NAME:schlick, NAME:dielectric and NAME:conductor choose. With

@@ -13,6 +13,7 @@
 #include "client/cli/fit_arguments.h"
 #include "client/cli/fit_page.h"
 #include "client/cli/fit_table.h"
+#include "client/cli/input/file_kind.h"
 #include "client/cli/json.h"
 #include "client/cli/measured_input.h"
 #include "client/cli/output_file.h"
@@ -107,7 +108,7 @@ Result<Outputs> open_outputs(const FitArguments& arguments) {
     auto file = OutputFile::open(report);
     if (!file) return file.error();
     outputs.reports.push_back(std::move(*file));
-    outputs.pages.push_back(std::filesystem::path(report).extension() == ".md");
+    outputs.pages.push_back(extension_of(report) == ".md");
   }
   return outputs;
 }

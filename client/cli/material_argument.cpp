@@ -33,8 +33,8 @@ Error error_in(const std::string& file, const std::string& what) {
 Error only_embedded(const std::string& file) {
   return error_in(
       file,
-      "a server cannot read measured data from this machine; leave out --server, or put "
-      "the file into goniod's --materials folder and give its name");
+      "a server cannot read measured data from this machine; leave out --server, or store the file "
+      "on the server ('gonio put NAME FILE') and give its name");
 }
 
 // The path itself where there is no current folder to start from.

@@ -105,7 +105,7 @@ class Reader {
   Outcome check_flags(double flags) const {
     if (flags >= 0 && std::isfinite(flags) && flags == std::floor(flags)) return Ok{};
     return bad_value(table_.where(columns_.flags), std::to_string(flags),
-                     "a whole number: 0, or none, for a pair with which nothing is wrong");
+                     "a whole number; 0 or empty for a pair without a flag");
   }
 
   void push(const Numbers& numbers, MeasuredInput& input) const {

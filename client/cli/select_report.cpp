@@ -11,9 +11,8 @@ namespace {
 
 constexpr std::size_t kCell = 10;
 constexpr const char* kErrors =
-    "Searched: the error on the directions by which candidates are compared. Certified: that of "
-    "the "
-    "choice on directions that it was neither fitted to nor chosen by.";
+    "Searched: the error on the directions used to compare candidates. Certified: the error of the "
+    "choice on directions used neither to fit nor to choose it.";
 
 std::string number(double x) {
   char text[32];

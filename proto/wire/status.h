@@ -2,8 +2,8 @@
 //
 // A status carries the serialised gonio.v1.ErrorDetail as its details (grpc-status-details-bin).
 // Texts are shortened so that a status always fits into HTTP/2 headers, and shown as shown() does
-// (base/shown.h), going and coming: neither side has to trust the other's bytes. Thread safety:
-// functions without state.
+// (gonio/base/shown.h), going and coming: neither side has to trust the other's bytes. Thread
+// safety: functions without state.
 #pragma once
 
 #include <grpcpp/support/status.h>

@@ -53,7 +53,7 @@ std::string unknown_option(const CLI::App& app, const CLI::App& command,
                            const std::string& argument) {
   const std::string name = argument.substr(0, argument.find('='));
   const auto known = options_of(command);
-  return in_quotes(name) + " is no option of '" + full_name(app, command) + "'" +
+  return in_quotes(name) + " is not an option of '" + full_name(app, command) + "'" +
          did_you_mean(name, std::span<const std::string>(known));
 }
 
@@ -76,7 +76,7 @@ std::string extra_argument(const CLI::App& app, const CLI::App& command,
   const std::string wanted = option_for_a_file(command);
   const bool looks_like_one = std::filesystem::path(argument).has_extension();
   std::string text =
-      in_quotes(argument) + " belongs to no option of '" + full_name(app, command) + "'";
+      in_quotes(argument) + " is not an argument of '" + full_name(app, command) + "'";
   if (!wanted.empty() && (is_file(argument) || looks_like_one))
     text += "; did you mean \"" + wanted + " " + shown(argument, kQuotedLength) + "\"?";
   return text;
@@ -87,12 +87,12 @@ std::string unknown_command(const CLI::App& app, const std::string& argument) {
   std::string all;
   for (const std::string& command : commands) all += (all.empty() ? "" : ", ") + command;
   if (is_file(argument)) {
-    return in_quotes(argument) + " is a file, and a command comes first: " + app.get_name() +
+    return in_quotes(argument) + " is a file; a command must come first: " + app.get_name() +
            " COMMAND, one of " + all;
   }
   std::vector<std::string> known = commands;
   for (const std::string& option : options_of(app)) known.push_back(option);
-  return in_quotes(argument) + " is no command; there are " + all +
+  return in_quotes(argument) + " is not a command; the commands are " + all +
          did_you_mean(argument, std::span<const std::string>(known));
 }
 

@@ -15,7 +15,7 @@ constexpr std::array<double, 9> kThetas{0, 15, 30, 45, 60, 75, 85, 89, 89.9};
 constexpr std::size_t kRegular = 1 << 17;  // of a regular sequence, for the lost mass
 constexpr double kTableCell = 1. / 1024;   // of the mass, that a cell of the subdivision may hold
 constexpr double kBins = 96;
-constexpr double kCap = 16;  // times the albedo: where a weight is held to be rare
+constexpr double kCap = 16;  // times the albedo: larger weights count as this much
 
 // A quarter of a turn, which changes no bit of a component.
 std::vector<Pair> turned(std::vector<Pair> pairs) {
@@ -63,7 +63,8 @@ double lost_mass(const Subject& subject, const Direction& wi) {
   return lost(kRegular / 4, Sequence::random) > 0 ? lost(kRegular, Sequence::sobol) : 0;
 }
 
-// The means of weights with those above `cap` taken as that, and of their squares.
+// Integrands for each direction: of every channel the weight, limited to its cap, times the pdf;
+// then the squares of these weights times the pdf.
 std::vector<double> capped_columns(const Subject& subject, const Direction& wi,
                                    const std::vector<double>& cap, const std::vector<double>& wo) {
   const std::size_t channels = cap.size(), given = 1 + channels;
@@ -129,9 +130,10 @@ Energy integrate_from(const Angles& angles, const Subject& subject,
   energy.mass = energy.subdivision.integral(0);
   for (std::size_t c = 0; c <= channels; ++c)
     energy.unsure = std::max(energy.unsure, energy.subdivision.change(c));
-  for (std::size_t c = 0; c < channels; ++c)
-    energy.albedo.push_back(energy.subdivision.integral(1 + c)),
-        energy.change.push_back(energy.subdivision.change(1 + c));
+  for (std::size_t c = 0; c < channels; ++c) {
+    energy.albedo.push_back(energy.subdivision.integral(1 + c));
+    energy.change.push_back(energy.subdivision.change(1 + c));
+  }
   if (stop && stop()) return energy;
   energy.lost = lost_mass(subject, given);
   add_capped(subject, energy);

@@ -47,7 +47,8 @@ void weigh(const Subject& subject, const Direction& wi, const Drawn& drawn, std:
     // A product beyond float32's normal numbers has few digits.
     if (!(size > 1e-30L) || !(wo[2] > 1.001 * subject.fast.cosine)) continue;
     const auto error = static_cast<double>(std::abs(product - f[c] * cosine) / size);
-    if (!(error <= worst.error))
+    // Not a number is the worst of all.
+    if (!std::isnan(worst.error) && !(error <= worst.error))
       worst = {error, {wi, wo}, static_cast<int>(c), product, static_cast<double>(f[c] * cosine)};
   }
 }

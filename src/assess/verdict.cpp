@@ -138,7 +138,8 @@ class Judgement {
   static double worst_of(const std::vector<double>& values) {
     double most = 0;
     for (const double value : values) {
-      if (!(value <= most)) most = value;
+      if (std::isnan(value)) return value;
+      most = std::max(most, value);
     }
     return most;
   }

@@ -35,19 +35,17 @@ Outcome check(const Options& options) {
 // Huber's threshold in the residual's unit.
 double threshold_of(const Data& data, const Options& options) {
   if (options.objective != Objective::huber) return 1;
-  double sum = 0, weights = 0;
-  for (int c = 0; c < data.channels; ++c) {
-    const auto values = data.channel(c);
-    for (std::size_t i = 0; i < data.size(); ++i) {
-      const auto w = static_cast<double>(data.weights[i]);
-      sum += w * static_cast<double>(values[i] * (options.cosine ? data.wi[2][i] : 1.F));
-      weights += w;
-    }
-  }
-  return sum > 0 ? options.huber * sum / weights : options.huber;
+  const double mean = mean_of(data, options.cosine);
+  return mean > 0 ? options.huber * mean : options.huber;
 }
 
-// With the axes along the frame's or as given; then, where they may be and it gains, turned.
+Outcome not_stopped(const Watch& watch) {
+  if (!watch.stop || !watch.stop()) return Ok{};
+  return Error{ErrorCode::cancelled, "the fit was cancelled", {}, {}, {}};
+}
+
+// First with the tangents along the frame's axes, or as given. Then, if the rotation is free and
+// fitting it lowers the objective, with that rotation.
 Result<FitResult> fit_and_certify(const SearchInput& input, const Data& data,
                                   const MaterialSpec& spec) {
   const bool staged = input.options.strategy == Strategy::staged;
@@ -57,8 +55,9 @@ Result<FitResult> fit_and_certify(const SearchInput& input, const Data& data,
   const SearchInput turned{form, input.data, input.options, input.watch, input.loss};
   std::optional<Search> found;
   if (form.rotation_shape) found = search_turned(input, turned, search);
-  if (input.watch.stop && input.watch.stop())
-    return Error{ErrorCode::cancelled, "the fit was cancelled", {}, {}, {}};
+  if (auto ok = not_stopped(input.watch); !ok) return ok.error();
+  if (search.parameters.empty())
+    return Error{ErrorCode::internal, "the fit found no finite objective", {}, {}, {}};
   if (found) return certify(turned, data, std::move(*found));
   const std::vector<double> aligned = search.parameters;
   FitResult result = certify(input, data, std::move(search));
@@ -67,6 +66,8 @@ Result<FitResult> fit_and_certify(const SearchInput& input, const Data& data,
   } else if (input.options.hints) {
     add_hint(input, spec, aligned, result.certificate);
   }
+  // What stopped on the way has left the certificate unfinished.
+  if (auto ok = not_stopped(input.watch); !ok) return ok.error();
   return result;
 }
 
@@ -78,10 +79,10 @@ Result<FitResult> fit(const Data& data, const MaterialSpec& spec, const Options&
   if (auto ok = check(options); !ok) return ok.error();
   auto form = make_form(spec, {options.anisotropic});
   if (!form) return form.error();
-  if (auto ok = check_size(data); !ok) return ok.error();
   const bool whole = options.min_theta <= 0 && options.max_theta >= kRightAngle;
   const Data zone = whole ? Data{} : within(data, options.min_theta, options.max_theta);
   const Data& chosen = whole ? data : zone;
+  if (auto ok = check_size(chosen); !ok) return ok.error();
   form->unit = unit_of(chosen, options.cosine);
   const Data scaled = form->unit == 1 ? Data{} : in_unit(chosen, form->unit);
   const Data& fitted = form->unit == 1 ? chosen : scaled;
@@ -90,7 +91,7 @@ Result<FitResult> fit(const Data& data, const MaterialSpec& spec, const Options&
   if (fitted.size() == 0) return nothing_to_fit(data, options);
   auto result = fit_and_certify(input, data, spec);
   if (!result) return result.error();
-  judge_outliers(fitted, result->certificate);
+  judge_outliers(chosen, result->certificate);
   result->certificate.cpu_seconds = cpu_seconds() - begin;
   return result;
 }

@@ -33,8 +33,8 @@ enum class Strategy : std::uint8_t {
 struct Options {
   Objective objective = Objective::l1;
   Strategy strategy = Strategy::automatic;
-  // nu and nv, alpha_x and alpha_y each by themselves, and along which axes (rotation.h) unless the
-  // form gives a rotation.
+  // nu and nv, alpha_x and alpha_y each by themselves, and along which axes (rotation.h), unless
+  // the form gives a rotation or the strategy is staged.
   bool anisotropic = false;
   bool cosine = true;    // residuals are of f cos(theta_i), or of f
   double huber = 0.1;    // Huber's threshold, as a part of the mean of m cos
@@ -44,8 +44,9 @@ struct Options {
   std::size_t starts = 6;
   std::size_t fit_pairs = 20'000, scan_pairs = 2'000;  // of the stratified subsets
   bool polish = false;                                 // a last descent on all pairs
-  bool hints =
-      true;  // whether a fit with a misfit that anisotropy would explain looks for how much
+  // Whether a fit that leaves an anisotropic pattern in its residuals tries an anisotropic form,
+  // and says in its reason what that gains.
+  bool hints = true;
   std::uint64_t seed = 1;  // of the subsets
 };
 

@@ -40,7 +40,8 @@ struct Form {
   std::size_t columns = 0, coefficients = 0;  // of a channel
   // What measured values, f and coefficients are divided by while the fit works (unit.h).
   double unit = 1;
-  // Of the material's tangents: what is given, and the shape by which it is found, if it is.
+  // The rotation of the material's tangents in degrees, if the caller gives it; and the index in
+  // `shapes` of the one that is fitted, if it is.
   std::optional<double> rotation;
   std::optional<std::size_t> rotation_shape;
 

@@ -14,8 +14,10 @@ namespace {
 constexpr double kQuarter = 90;  // degrees
 // A pattern that chance makes in one of 400 fits starts a second search, which costs time alone.
 constexpr double kTrigger = 3;
-// What a turn must gain on the pairs of a fit: an objective is known to about as much.
+// A turned fit is taken only if its objective is below this part of the aligned one's: objectives
+// are known to about 0.1 %.
 constexpr double kGain = 0.999;
+
 // The shape of a lobe's parameter by itself; none if it is held equal to another, or is no shape.
 std::optional<std::size_t> shape_named(const Form& form, std::size_t lobe, std::string_view name) {
   for (std::size_t i = 0; i < form.shapes.size(); ++i) {

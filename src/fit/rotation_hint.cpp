@@ -30,7 +30,7 @@ std::string text(double x, const char* format) {
 // A quarter of a turn swaps the tangents.
 std::string turned_by(double azimuth) {
   const double degrees = std::remainder(azimuth, 90.0);
-  if (std::abs(degrees) < kAlong) return "along the tangents";
+  if (std::abs(degrees) < kAlong) return "along the axes of the data's frame";
   return "with axes turned by about " + text(degrees, "%.0f") + " degrees";
 }
 

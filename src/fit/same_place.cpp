@@ -21,10 +21,11 @@ bool are_alike(const FormLobe& a, const FormLobe& b) {
   return a.words.model == b.words.model && a.words.parameters == b.words.parameters;
 }
 
+// A lobe's own shapes: the rotation belongs to all lobes with tangents.
 std::vector<std::size_t> shapes_of(const Form& form, std::size_t lobe) {
   std::vector<std::size_t> shapes;
   for (std::size_t i = 0; i < form.shapes.size(); ++i) {
-    if (form.shapes[i].lobe == lobe) shapes.push_back(i);
+    if (form.shapes[i].lobe == lobe && form.rotation_shape != i) shapes.push_back(i);
   }
   return shapes;
 }
@@ -40,6 +41,8 @@ std::vector<Apart> differences(const Form& form, std::span<const double> a,
         found.push_back({own[k], a[own[k]], b[other[k]]});
     }
   }
+  if (const auto r = form.rotation_shape; r && is_far(form.shapes[*r], a[*r], b[*r]))
+    found.push_back({*r, a[*r], b[*r]});
   return found;
 }
 

@@ -21,11 +21,13 @@ class NoiseByLevel {
       counts_[level] += 1;
     }
   }
-  // Half the width over which residuals count as 0: narrower where there are more (n^(-1/5)).
+  // Half the width over which residuals count as 0: narrower where there are more (n^(-1/5)), but
+  // no narrower than what rounding the data to float32 leaves.
   [[nodiscard]] double width(double predicted) const {
     const std::size_t level = level_of(predicted);
     const double mean = sums_[level] / std::max(counts_[level], 1.0);
-    return std::max(mean * std::pow(std::max(counts_[level], 1.0), -0.2), 1e-300);
+    const double rounding = std::max(0x1p-24 * std::abs(predicted), 1e-300);
+    return std::max(mean * std::pow(std::max(counts_[level], 1.0), -0.2), rounding);
   }
 
  private:

@@ -13,6 +13,14 @@ constexpr int kLeastOrdinary = -10, kMostOrdinary = 6;  // exponents of the mean
 constexpr int kMean = -4;                               // of the mean in another unit
 constexpr int kMostValue = 100;                         // of the largest value, in that unit
 
+double largest_of(const Data& data) {
+  float largest = 0;
+  for (const float value : data.values) largest = std::max(largest, value);
+  return static_cast<double>(largest);
+}
+
+}  // namespace
+
 double mean_of(const Data& data, bool cosine) {
   double sum = 0, weights = 0;
   for (int c = 0; c < data.channels; ++c) {
@@ -26,14 +34,6 @@ double mean_of(const Data& data, bool cosine) {
   }
   return weights > 0 ? sum / weights : 0;
 }
-
-double largest_of(const Data& data) {
-  float largest = 0;
-  for (const float value : data.values) largest = std::max(largest, value);
-  return static_cast<double>(largest);
-}
-
-}  // namespace
 
 double unit_of(const Data& data, bool cosine) {
   const double mean = mean_of(data, cosine);

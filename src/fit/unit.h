@@ -7,6 +7,9 @@
 
 namespace gonio::fit {
 
+// The weighted mean of m cos, or of m; 0 without pairs.
+double mean_of(const Data& data, bool cosine);
+
 // 1 for data whose weighted mean of m cos (or of m) is that of reflectance: 2^-10 to 2^6. Else the
 // power of two that brings the mean to between 2^-4 and 2^-3. 1 if all values are 0.
 double unit_of(const Data& data, bool cosine);

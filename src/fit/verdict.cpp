@@ -165,7 +165,7 @@ Reason undetermined(const Certificate& report) {
 }
 
 // A shape whose interval is wider than a factor of two either way says little; so does a rotation
-// that could be anywhere in a third of a quarter.
+// whose 95 % interval is about 30 degrees wide.
 bool is_vague(const ParameterReport& p) {
   if (p.field == kRotation.name) return p.standard_error > kVagueDegrees;
   return p.lower * 4 < p.upper && p.standard_error * 2 > p.value;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "measured/cells.h"
@@ -40,7 +41,12 @@ void keep_larger(CellFinding& worst, double value, const Cell& cell, std::size_t
 double peak_along(const CellView& view, const Cell& cell, CellAxis axis, float value) {
   float most = kFaint;
   for (const int side : {-1, 1}) {
-    const float a = view.beside(cell, axis, 2 * side), b = view.beside(cell, axis, 3 * side);
+    const float a = view.beside(cell, axis, 2 * side);
+    // Three steps back from the second cell its mirror image is that cell itself.
+    const bool itself = side < 0 && ((axis == CellAxis::theta_h && cell.h == 1) ||
+                                     (axis == CellAxis::theta_d && cell.d == 1));
+    const float b =
+        itself ? std::numeric_limits<float>::quiet_NaN() : view.beside(cell, axis, 3 * side);
     if (std::isnan(a) && std::isnan(b)) return 0;
     most = std::max({most, std::isnan(a) ? 0 : a, std::isnan(b) ? 0 : b});
   }

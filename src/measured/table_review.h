@@ -18,8 +18,9 @@ struct CellFinding {
 // databases hold little beyond.
 inline constexpr double kReviewed = 80;
 struct TableReview {
-  std::uint64_t cells = 0;     // of which shares are
-  CellFinding missing;         // the share of invalid ones; where: the channel that lacks most
+  std::uint64_t cells = 0;  // of which shares are
+  CellFinding
+      missing;  // the share of invalid ones; where: the channel that lacks most in the whole table
   CellFinding missing_region;  // the same in the worst range of ten cells of one angle
   CellFinding zeros;           // the share of valid ones that hold 0, in the worst channel
   CellFinding holes;           // the share of masked ones (measured/holes.h); where: the first

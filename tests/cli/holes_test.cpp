@@ -80,7 +80,7 @@ TEST_F(Tables, FitAndAssessSayOutliers) {
   EXPECT_THAT(shell("gonio assess --pairs 20 -m " + file).out,
               AllOf(HasSubstr("outlier"), HasSubstr("extreme"), HasSubstr("verdict: failed (")));
   const auto fit = shell("gonio fit --data " + file + " --model lambertian");
-  EXPECT_THAT(fit.out + fit.err, AllOf(HasSubstr("failed"), HasSubstr("far out: 1e+30")));
+  EXPECT_THAT(fit.out + fit.err, AllOf(Not(HasSubstr("converged")), HasSubstr("far out: 1e+30")));
 }
 
 }  // namespace

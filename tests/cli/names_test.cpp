@@ -110,12 +110,12 @@ TEST_F(Names, WhatIsNotLikeAnythingIsNotAskedFor) {
 
 TEST_F(Names, AFileWithoutAnOptionIsOfferedToOne) {
   EXPECT_THAT(said("gonio render gold.json -o a.png"),
-              AllOf(HasSubstr("\"gold.json\" belongs to no option of 'gonio render'"),
+              AllOf(HasSubstr("\"gold.json\" is not an argument of 'gonio render'"),
                     HasSubstr("mean \"--material gold.json\"?"), HasSubstr("gonio render --help")));
   EXPECT_THAT(said("gonio fit data.csv --model ggx"), HasSubstr("mean \"--data data.csv\"?"));
   EXPECT_THAT(said("gonio compare data.csv"), HasSubstr("mean \"--reference data.csv\"?"));
   EXPECT_THAT(said("gonio gold.json"), HasSubstr("a command comes first"));
-  EXPECT_THAT(said("gonio models a b"), HasSubstr("\"b\" belongs to no option of 'gonio models'"));
+  EXPECT_THAT(said("gonio models a b"), HasSubstr("\"b\" is not an argument of 'gonio models'"));
 }
 
 // A surface of GGX with the index of the metal, or the reflectance of what is no metal.

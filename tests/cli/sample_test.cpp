@@ -139,7 +139,7 @@ TEST(AlbedoCommand, JsonAndBadDirections) {
   const auto json = shell(kAlbedo + "--wi-file - --count 100 --format json", csv);
   EXPECT_EQ(json.exit_code, 0) << json.err;
   EXPECT_THAT(json.out, StartsWith("{\"channels\": 2,\n\"albedos\": [\n{\"wi\": [0, 0, 1], "));
-  EXPECT_THAT(json.out, HasSubstr("\"lost\": 0, \"flags\": 8}"));
+  EXPECT_THAT(json.out, HasSubstr("\"lost\": 0, \"holes\": 0, \"flags\": 8}"));
   EXPECT_THAT(shell(kAlbedo + "--wi-file - --count 100", csv).out,
               HasSubstr("wi below the horizon"));
   const std::vector<std::pair<std::string, std::string>> cases = {

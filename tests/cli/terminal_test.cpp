@@ -83,7 +83,7 @@ TEST(Terminal, OfNamesAndArguments) {
         "gonio evaluate -m " + kWhite + " --grid theta_i=0 -o /nowhere/" + forged,
         "gonio fit --model lambertian --data " + forged + ".brdf",
         "gonio fit --model lambertian --data " + forged + ".binary",
-        "gonio fit --model " + forged + " --data " + text_case("cr_only_data.csv").string(),
+        "gonio fit --deg --model " + forged + " --data " + text_case("cr_only_data.csv").string(),
         "gonio render -m " + kWhite + " -o x.png --light " + forged + ".exr",
         "gonio put --server unix:/nowhere.sock x " + forged,
         "gonio compare --reference " + forged + ".bsdf -m " + kWhite,

@@ -28,8 +28,8 @@ TEST(Outliers, AreFoundAndFailTheFit) {
   MaterialSpec form{LobeSpec{"lambertian", {}}, {}, {}};
   const auto fitted = fit::fit(data, form, {});
   ASSERT_TRUE(fitted.ok());
-  EXPECT_EQ(fitted->certificate.verdict, fit::Verdict::failed);
-  EXPECT_THAT(fitted->certificate.reason, HasSubstr("far out"));
+  EXPECT_NE(fitted->certificate.verdict, fit::Verdict::converged);
+  EXPECT_THAT(fitted->certificate.reason, HasSubstr("far out: 1e+30 1/sr"));
   EXPECT_THAT(fit::outliers_of(data_with(1e30, 3)), HasSubstr("3 values of channel 0 are far out"));
 }
 

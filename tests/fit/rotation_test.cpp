@@ -177,7 +177,7 @@ TEST(Rotation, IsHintedAtByAFitThatCannotTurn) {
     const fit::Data data =
         data_of(over_base(model.lobe, degrees), scattered_pairs(4000, 5), kNoise);
     const std::string along =
-        degrees == 0 ? "along the tangents" : "axes turned by about 40 degrees";
+        degrees == 0 ? "along the axes of the data's frame" : "axes turned by about 40 degrees";
     const auto tied = fitted(data, over_base(model.lobe, {}), {}, isotropic);
     EXPECT_THAT(tied.certificate.reason, HasSubstr("the data look anisotropic, "));
     EXPECT_THAT(tied.certificate.reason, HasSubstr(along));

@@ -156,7 +156,7 @@ TEST(Goniod, WhatCannotBeServedIsAClearError) {
       {{"--listen", "nonsense", "--log-level", "off"}, 2, "nonsense"},
       {{"--listen", "127.0.0.1:0", "--materials", "/no/such"}, 2, "/no/such"},
       {{"--listen", "127.0.0.1:0", "--check", "--materials", (folder / "").string()},
-       1,
+       2,
        "bad.json"},
   };
   for (const auto& [arguments, expected, what] : cases) {

@@ -2,13 +2,13 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <deque>
 #include <numbers>
 #include <string_view>
 #include <utility>
 
 #include "client/cli/numbers.h"
+#include "client/cli/terminal.h"
 #include "gonio/base/shown.h"
 
 namespace gonio::cli {
@@ -17,8 +17,7 @@ namespace {
 constexpr double kRounding = 1 + 1e-6;  // of pi in a file of few digits
 
 void note(const std::string& what) {
-  std::fprintf(stderr, "gonio: note: %s; angles are in radians unless --deg is given\n",
-               what.c_str());
+  print_note("note: " + what + "; angles are in radians unless --deg is given");
 }
 
 // What is beyond an angle's range in radians; null: nothing.

@@ -34,7 +34,7 @@ std::optional<FileKind> kind_of_file(const std::string& file);
 // The kind of a content by its beginning, of 4096 bytes or all of it, and by its size.
 FileKind kind_of_content(const std::string& beginning, std::uint64_t size);
 
-// "a measured table (MERL's .binary)"
+// "a measured table (MERL)"
 std::string description_of(FileKind kind);
 // "it is for gonio evaluate --material FILE"; of what nothing takes, what to do.
 std::string use_of(FileKind kind, const std::string& file);

@@ -31,8 +31,7 @@ Described described(FileKind kind) {
       return {"a scene's JSON", "it is for gonio select --scene FILE"};
     case FileKind::merl:
       return {"a measured table (MERL)",
-              "it is for gonio evaluate --material FILE, gonio fit --data FILE, if it is named "
-              ".binary"};
+              "it is for gonio evaluate --material FILE, gonio fit --data FILE"};
     case FileKind::rgl:
       return {"measurements of the RGL database",
               "it is for gonio fit --data FILE, gonio compare --reference FILE"};

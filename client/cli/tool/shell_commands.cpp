@@ -96,9 +96,9 @@ Command add_completion_command(CLI::App& app) {
 
 Command add_man_command(CLI::App& app) {
   auto wanted = std::make_shared<ManArguments>();
+  CLI::App* command = app.add_subcommand("man", "Print the manual page of gonio or of a command");
   std::vector<std::string> names;
   for (const CLI::App* page : pages_of(app)) names.push_back(page->get_name());
-  CLI::App* command = app.add_subcommand("man", "Print the manual page of gonio or of a command");
   command->footer(kManFooter);
   command->add_option("COMMAND", wanted->command, "The command; else gonio itself")
       ->type_name("")

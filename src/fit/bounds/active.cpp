@@ -13,7 +13,8 @@ constexpr double kAtBound = 1e-9;
 
 class Fields {
  public:
-  // Beside data that are far above a bound even that is next to nothing: the upper one is named.
+  // Where data are far above a colour's upper bound, that bound is itself close to the lower one:
+  // then only the upper is named.
   void add(const std::string& field, bool lower, bool upper) {
     if (!lower && !upper) return;
     std::string name = field + (upper ? " (upper)" : " (lower)");

@@ -11,11 +11,11 @@
 // `wi` points to the light and `wo` to the viewer, both away from the surface; interleaved xyz,
 // three numbers per pair. They may be off unit length by 1e-3 (it is corrected). Values are f(wi,
 // wo) in 1/sr without a cosine, interleaved: all channels of the first pair, then of the second. A
-// pair that cannot be evaluated gets the value 0 and a flag (see client/types.h); its neighbours
-// are not affected. What comes back depends on nothing but pair, material, precision and
+// pair that cannot be evaluated gets the value 0 and a flag (see gonio/client/types.h); its
+// neighbours are not affected. What comes back depends on nothing but pair, material, precision and
 // instruction set.
 //
-// Sampling draws directions wo for a wi, with densities and weights: see client/sampling.h.
+// Sampling draws directions wo for a wi, with densities and weights: see gonio/client/sampling.h.
 //
 // Up to `chunk_pairs` pairs (or samples) travel as one call; more as a stream of chunks, several of
 // them in flight. What a server refuses for the moment, or loses because it goes down, is sent

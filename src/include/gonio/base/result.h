@@ -35,7 +35,7 @@ struct Error {
 };
 
 // Builds the usual sentence: "<field> is <value>; allowed: <allowed>". Field and value may come
-// from outside: they are quoted as shown() quotes them (base/shown.h).
+// from outside: they are quoted as shown() quotes them (gonio/base/shown.h).
 Error bad_value(std::string_view field, std::string_view value, std::string_view allowed,
                 ErrorCode code = ErrorCode::invalid_argument);
 
