@@ -46,7 +46,8 @@ std::optional<std::string> substance_hint(const Form& form, const Certificate& r
     const FormLobe& lobe = form.lobes[shape.lobe];
     const auto parameters = (*find_model(lobe.words.model))->parameters;
     const Parameter* p = find(parameters, shape.names.front());
-    if (p->presets.empty() || p->preset_partner.empty()) continue;
+    // The rotation is the material's: no model's table has it.
+    if (p == nullptr || p->presets.empty() || p->preset_partner.empty()) continue;
     const auto word = missing_word(lobe, *find(parameters, p->preset_partner));
     const auto fitted =
         std::find_if(report.parameters.begin(), report.parameters.end(),
