@@ -85,6 +85,7 @@ std::vector<Held> held_shapes(const Form& form, std::span<const double> end) {
   constexpr double kAtBound = 1e-9;  // what descents leave, in search scale
   std::vector<Held> held;
   for (std::size_t i = 0; i < form.shapes.size(); ++i) {
+    if (form.rotation_shape == i) continue;  // it goes round
     const ShapeParameter& shape = form.shapes[i];
     if (end[i] <= shape.scale.to_search(shape.scan_lower) + kAtBound)
       held.push_back({i, shape.scale.to_search(shape.lower)});
@@ -100,7 +101,8 @@ bool same_bound(const Held& a, const Held& b) { return a.shape == b.shape && a.a
 // of the others finds, and from the models' own start. Where that leads to new bounds, again.
 void descend_held(const SearchInput& input, const Problem& problem, Descents& descents) {
   const Form& form = input.form;
-  if (form.shapes.size() < 2) return;  // a single one leaves nothing to scan
+  if (form.shapes.size() < 2) return;       // a single one leaves nothing to scan
+  const Watch quiet{{}, input.watch.stop};  // the stage "scan" is over
   std::vector<Held> known;
   for (bool more = true; more;) {
     more = false;
@@ -110,7 +112,7 @@ void descend_held(const SearchInput& input, const Problem& problem, Descents& de
         continue;
       known.push_back(held);
       more = true;
-      for (const Node& node : scan(problem, kHeldStarts, input.watch, held).best)
+      for (const Node& node : scan(problem, kHeldStarts, quiet, held).best)
         descents.from(node, false);
       std::vector<double> start = start_of(form);
       start[held.shape] = held.at;
