@@ -40,7 +40,8 @@ struct Options {
   double huber = 0.1;    // Huber's threshold, as a part of the mean of m cos
   double min_theta = 0;  // radians; pairs whose larger angle is in (min, max] are fitted
   double max_theta = 1.5707963267948966;
-  // Nodes of the scan that are descended from, beside the models' own start and the guess.
+  // Nodes of the scan that are descended from, beside the models' own start, the guess and, where a
+  // bound holds a shape, some with that shape held.
   std::size_t starts = 6;
   std::size_t fit_pairs = 20'000, scan_pairs = 2'000;  // of the stratified subsets
   bool polish = false;                                 // a last descent on all pairs

@@ -10,19 +10,23 @@ namespace {
 constexpr int kPasses = 3;
 constexpr std::size_t kFinest = 28;  // nodes along a lobe's width: a factor of about 2 in s
 constexpr std::size_t kMostNodes = 500;
-constexpr double kNone = 1e300;  // above every objective
+constexpr std::size_t kMostNodesHeld = 130;  // beside a held shape: 5 along each of three others
+constexpr double kNone = 1e300;              // above every objective
 
 // Nodes along each axis, fewer where there are many axes.
-std::vector<std::size_t> axis_counts(const Form& form) {
+std::vector<std::size_t> axis_counts(const Form& form, const std::optional<Held>& held) {
   std::vector<std::size_t> counts;
-  const std::size_t shapes = form.shapes.size(), gentle = shapes > 3 ? 3 : shapes > 2 ? 5 : 7;
+  const std::size_t most = held ? kMostNodesHeld : kMostNodes;
+  const std::size_t shapes = form.shapes.size() - (held ? 1 : 0);
+  const std::size_t gentle = shapes > 3 ? 3 : shapes > 2 ? 5 : 7;
   for (const ShapeParameter& shape : form.shapes)
     counts.push_back(is_width(shape) ? kFinest : gentle);
+  if (held) counts[held->shape] = 1;
   const auto total = [&] {
     return std::accumulate(counts.begin(), counts.end(), std::size_t{1}, std::multiplies<>());
   };
   // The largest first, down to what still tells basins apart.
-  while (total() > kMostNodes) {
+  while (total() > most) {
     const auto largest = std::max_element(counts.begin(), counts.end());
     if (*largest <= 3) break;
     --*largest;
@@ -85,14 +89,18 @@ bool is_width(const ShapeParameter& shape) {
   return shape.scale.logarithmic && name != "eta" && name != "k";
 }
 
-std::vector<std::vector<double>> scan_axes(const Form& form) {
-  const auto counts = axis_counts(form);
+std::vector<std::vector<double>> scan_axes(const Form& form, std::optional<Held> held) {
+  const auto counts = axis_counts(form, held);
   std::vector<std::vector<double>> axes;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const ShapeParameter& shape = form.shapes[i];
     const double lower = shape.scale.to_search(shape.scan_lower);
     const double upper = shape.scale.to_search(shape.scan_upper);
     auto& axis = axes.emplace_back();
+    if (held && held->shape == i) {
+      axis.push_back(held->at);
+      continue;
+    }
     for (std::size_t k = 0; k < counts[i]; ++k) {
       const double part = static_cast<double>(k) / static_cast<double>(counts[i] - 1);
       axis.push_back(lower + part * (upper - lower));
@@ -101,8 +109,8 @@ std::vector<std::vector<double>> scan_axes(const Form& form) {
   return axes;
 }
 
-Scan scan(const Problem& problem, std::size_t keep, const Watch& watch) {
-  const auto axes = scan_axes(problem.form());
+Scan scan(const Problem& problem, std::size_t keep, const Watch& watch, std::optional<Held> held) {
+  const auto axes = scan_axes(problem.form(), held);
   Scan result;
   result.nodes = 1;
   for (const auto& axis : axes) result.nodes *= axis.size();

@@ -114,7 +114,7 @@ TEST_F(Names, AFileWithoutAnOptionIsOfferedToOne) {
                     HasSubstr("mean \"--material gold.json\"?"), HasSubstr("gonio render --help")));
   EXPECT_THAT(said("gonio fit data.csv --model ggx"), HasSubstr("mean \"--data data.csv\"?"));
   EXPECT_THAT(said("gonio compare data.csv"), HasSubstr("mean \"--reference data.csv\"?"));
-  EXPECT_THAT(said("gonio gold.json"), HasSubstr("a command comes first"));
+  EXPECT_THAT(said("gonio gold.json"), HasSubstr("a command must come first"));
   EXPECT_THAT(said("gonio models a b"), HasSubstr("\"b\" is not an argument of 'gonio models'"));
 }
 

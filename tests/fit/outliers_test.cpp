@@ -13,9 +13,9 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-fit::Data data_with(double value, std::size_t count) {
+fit::Data data_with(double value, std::size_t count, double other = 0.1) {
   const Pairs at = scattered_pairs(4001, 1);
-  std::vector<double> values(4001, 0.1);
+  std::vector<double> values(4001, other);
   for (std::size_t i = 0; i < count; ++i) values[1000 * (i + 1)] = value;
   return *fit::from_pairs(at.wi, at.wo, values, 1, at.weights);
 }
@@ -25,12 +25,15 @@ TEST(Outliers, AreFoundAndFailTheFit) {
   EXPECT_THAT(fit::outliers_of(data),
               AllOf(HasSubstr("1 value of channel 0 is far out: 1e+30 1/sr at theta_i"),
                     HasSubstr("times the next")));
-  MaterialSpec form{LobeSpec{"lambertian", {}}, {}, {}};
-  const auto fitted = fit::fit(data, form, {});
-  ASSERT_TRUE(fitted.ok());
-  EXPECT_NE(fitted->certificate.verdict, fit::Verdict::converged);
-  EXPECT_THAT(fitted->certificate.reason, HasSubstr("far out: 1e+30 1/sr"));
   EXPECT_THAT(fit::outliers_of(data_with(1e30, 3)), HasSubstr("3 values of channel 0 are far out"));
+  // A bound holds what follows 1e30, and is the verdict; what follows 0.1 is inside the bounds.
+  const MaterialSpec form{LobeSpec{"lambertian", {}}, {}, {}};
+  const auto held = fit::fit(data, form, {}), inside = fit::fit(data_with(0.1, 1, 1e-6), form, {});
+  ASSERT_TRUE(held.ok() && inside.ok());
+  EXPECT_EQ(held->certificate.verdict, fit::Verdict::bound_limited);
+  EXPECT_THAT(held->certificate.reason, HasSubstr("far out: 1e+30 1/sr"));
+  EXPECT_EQ(inside->certificate.verdict, fit::Verdict::failed);
+  EXPECT_THAT(inside->certificate.reason, HasSubstr("far out"));
 }
 
 TEST(Outliers, AreNoSharpLobes) {
