@@ -99,7 +99,8 @@ TEST(ModelsPage, HoldsTheModelsAsTheyAre) {
   ASSERT_NE(to, std::string::npos);
   const std::string section = page.substr(from + begin.size(), to - from - begin.size());
   EXPECT_EQ(section, "\n" + shell("gonio models --markdown").out + "\n")
-      << "src/models/README.md is out of date; refresh it: tests/style/refresh_readme.sh " GONIO_PROGRAM;
+      << "src/models/README.md is out of date; refresh it: "
+         "tests/style/refresh_readme.sh " GONIO_PROGRAM;
 }
 
 }  // namespace

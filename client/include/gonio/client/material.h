@@ -47,8 +47,8 @@ class Material {
   static Result<Material> from_json(std::string_view json);
 
   // The same with its tangents turned about the normal, in degrees from -180 to 180,
-  // counter-clockwise seen from above: "rotation" in the JSON. In the place of what it had; a stored
-  // material is turned further.
+  // counter-clockwise seen from above: "rotation" in the JSON. In the place of what it had; a
+  // stored material is turned further.
   [[nodiscard]] Material rotated(double degrees) const;
 
   // One line of the JSON above.
