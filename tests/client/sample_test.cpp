@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -204,6 +205,20 @@ TEST_F(SampleTest, ManyAlbedosAreTheSameAsOneByOne) {
   double sum = 0;
   for (std::size_t i = 0; i < 64; ++i) sum += last.weights[3 * i];
   EXPECT_NEAR(all->albedo[3 * 2999], sum / 64, 1e-14);
+}
+
+// An albedo is that of its direction, however many others are asked for with it.
+TEST_F(SampleTest, AlbedosOfEveryNumberOfDirectionsAreTheSame) {
+  const auto wi = directions<float>(4001);
+  const auto all = connect("unix").integrate(ggx(), wi, 16);
+  ASSERT_TRUE(all.ok()) << all.error().message;
+  for (const std::size_t size : {1U, 2U, 3U, 5U, 4001U}) {
+    const auto some = connect("unix").integrate(ggx(), std::span(wi).first(3 * size), 16);
+    ASSERT_TRUE(some.ok()) << some.error().message;
+    ASSERT_EQ(some->albedo.size(), 3 * size);
+    EXPECT_TRUE(std::equal(some->albedo.begin(), some->albedo.end(), all->albedo.begin())) << size;
+    EXPECT_TRUE(std::equal(some->flags.begin(), some->flags.end(), all->flags.begin())) << size;
+  }
 }
 
 TEST_F(SampleTest, WrongLengthsAreErrors) {

@@ -53,5 +53,32 @@ TEST_P(Gradient, IsThatOfTheCost) {
 INSTANTIATE_TEST_SUITE_P(Models, Gradient, ::testing::ValuesIn(cases()),
                          [](const auto& test) { return test.param.name; });
 
+// What is read of n pairs is the first n of what is read of more; a problem of any number of pairs
+// sums each once.
+TEST(ProblemSizes, ArraysOfAnyLengthAreReadAlike) {
+  const Pairs at = scattered_pairs(4001, 1);
+  std::vector<double> values(4001);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = 0.1 + 1e-4 * static_cast<double>(i);
+  const auto first = [&](std::size_t n) {
+    return *fit::from_pairs(std::span(at.wi).first(3 * n), std::span(at.wo).first(3 * n),
+                            std::span(values).first(n), 1, std::span(at.weights).first(n));
+  };
+  const fit::Data all = first(4001);
+  const auto form = fit::make_form({LobeSpec{"lambertian", {}}, {}, {}}, {});
+  ASSERT_TRUE(form.ok());
+  for (const std::size_t n : {1, 2, 3, 5, 4001}) {
+    const fit::Data data = first(n);
+    ASSERT_EQ(data.size(), n);
+    for (std::size_t i = 0; i < n; ++i) {
+      EXPECT_EQ(data.values[i], all.values[i]);
+      EXPECT_EQ(data.wi[0][i], all.wi[0][i]);
+      EXPECT_EQ(data.wo[2][i], all.wo[2][i]);
+    }
+    // Costs are parts of that of a material that reflects nothing.
+    const fit::Problem problem(*form, data, {fit::Objective::l2, 0, 1}, true);
+    EXPECT_NEAR(problem.cost(std::vector<double>{0}, false, {}), 1, 1e-12) << n;
+  }
+}
+
 }  // namespace
 }  // namespace gonio::testing
