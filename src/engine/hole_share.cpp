@@ -19,8 +19,9 @@ const std::vector<double>& even_directions() {
   static const auto all = [] {
     std::vector<double> xyz;
     for (std::size_t i = 0; i < kDirections; ++i) {
-      const double u = (static_cast<double>(i / kAcross) + 0.5) / kAcross,
-                   v = (static_cast<double>(i % kAcross) + 0.5) / kAcross;
+      const std::size_t row = i / kAcross, column = i % kAcross;
+      const double u = (static_cast<double>(row) + 0.5) / kAcross,
+                   v = (static_cast<double>(column) + 0.5) / kAcross;
       const double sine = std::sqrt(u), phi = 2 * std::numbers::pi * v;
       xyz.insert(xyz.end(), {sine * std::cos(phi), sine * std::sin(phi), std::sqrt(1 - u)});
     }
