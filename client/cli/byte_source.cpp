@@ -105,7 +105,7 @@ bool ByteSource::buffered_line(std::string_view& line, std::size_t searched) {
   finish_line_end();
   const std::string_view text = buffered();
   const std::size_t end = find_line_end(text, searched);
-  if (end == std::string_view::npos || end > kLongestLine) return false;
+  if (end > kLongestLine) return false;  // or none is there: npos
   line = text.substr(0, end);
   begin_ += end + 1;
   // The line feed behind it may not have come yet.

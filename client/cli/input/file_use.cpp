@@ -1,5 +1,6 @@
 // What is said of files that came to the wrong place, or are not there.
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <span>
 #include <string_view>
@@ -17,56 +18,43 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostNeighbours = 2000;  // files of a folder that are looked at
 
+constexpr const char* kForFits = "it is for gonio fit --data FILE, gonio compare --reference FILE";
+
 struct Described {
+  FileKind kind;
   const char* what;
   const char* use;  // FILE stands for its name
 };
 
-Described described(FileKind kind) {
-  switch (kind) {
-    case FileKind::material_json:
-      return {"a material's JSON",
-              "it is for gonio evaluate --material FILE, gonio render --material FILE"};
-    case FileKind::scene_json:
-      return {"a scene's JSON", "it is for gonio select --scene FILE"};
-    case FileKind::merl:
-      return {"a measured table (MERL)",
-              "it is for gonio evaluate --material FILE, gonio fit --data FILE"};
-    case FileKind::rgl:
-      return {"measurements of the RGL database",
-              "it is for gonio fit --data FILE, gonio compare --reference FILE"};
-    case FileKind::cornell:
-      return {"a goniometer's text (Cornell)",
-              "it is for gonio fit --data FILE, gonio compare --reference FILE"};
-    case FileKind::alta:
-      return {"measurements as ALTA's text",
-              "it is for gonio fit --data FILE, gonio compare --reference FILE"};
-    case FileKind::zemax:
-      return {"a Zemax BSDF text",
+constexpr std::array kDescribed{
+    Described{FileKind::material_json, "a material's JSON",
+              "it is for gonio evaluate --material FILE, gonio render --material FILE"},
+    Described{FileKind::scene_json, "a scene's JSON", "it is for gonio select --scene FILE"},
+    Described{FileKind::merl, "a measured table (MERL)",
+              "it is for gonio evaluate --material FILE, gonio fit --data FILE"},
+    Described{FileKind::rgl, "measurements of the RGL database", kForFits},
+    Described{FileKind::cornell, "a goniometer's text (Cornell)", kForFits},
+    Described{FileKind::alta, "measurements as ALTA's text", kForFits},
+    Described{FileKind::zemax, "a Zemax BSDF text",
               "nothing takes it yet: write its values as CSV (theta_i,phi_i,theta_o,phi_o,f_0) for "
-              "gonio fit --data"};
-    case FileKind::npy:
-      return {
-          "a NumPy array",
-          "it is for gonio evaluate --pairs FILE (N x 6), gonio fit --data FILE (N x 7 and more)"};
-    case FileKind::csv_values:
-      return {"directions and values as CSV",
-              "it is for gonio fit --data FILE, gonio compare --reference FILE"};
-    case FileKind::csv_pairs:
-      return {"directions as CSV", "it is for gonio evaluate --pairs FILE"};
-    case FileKind::picture:
-      return {"a picture", "it is for gonio render --light FILE, if it is a map as .exr or .pfm"};
-    case FileKind::spreadsheet:
-      return {"a spreadsheet or a ZIP archive",
-              "nothing takes it: save it as CSV for gonio fit --data or gonio evaluate --pairs"};
-    case FileKind::compressed:
-      return {"a compressed file", "nothing takes it: unpack it first"};
-    case FileKind::other_json:
-      return {"JSON of something else", "nothing takes it"};
-    case FileKind::unknown:
-      break;
-  }
-  return {"of a kind that is not known", "nothing takes it"};
+              "gonio fit --data"},
+    Described{FileKind::npy, "a NumPy array",
+              "it is for gonio evaluate --pairs FILE (N x 6), gonio fit --data FILE (N x 7 and "
+              "more)"},
+    Described{FileKind::csv_values, "directions and values as CSV", kForFits},
+    Described{FileKind::csv_pairs, "directions as CSV", "it is for gonio evaluate --pairs FILE"},
+    Described{FileKind::picture, "a picture",
+              "it is for gonio render --light FILE, if it is a map as .exr or .pfm"},
+    Described{FileKind::spreadsheet, "a spreadsheet or a ZIP archive",
+              "nothing takes it: save it as CSV for gonio fit --data or gonio evaluate --pairs"},
+    Described{FileKind::compressed, "a compressed file", "nothing takes it: unpack it first"},
+    Described{FileKind::other_json, "JSON of something else", "nothing takes it"},
+    Described{FileKind::unknown, "of a kind that is not known", "nothing takes it"}};
+
+const Described& described(FileKind kind) {
+  const auto* const found = std::find_if(kDescribed.begin(), kDescribed.end() - 1,
+                                         [&](const Described& one) { return one.kind == kind; });
+  return *found;  // the last where none is
 }
 
 }  // namespace
