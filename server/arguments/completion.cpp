@@ -21,12 +21,6 @@ std::vector<std::string> names_of(const CLI::Option& option) {
   return names;
 }
 
-std::string joined(const std::vector<std::string>& words, const char* separator) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
-  return text;
-}
-
 // What a shell takes as one word, whatever is in it.
 std::string quoted(const std::string& text) {
   std::string result = "'";

@@ -8,18 +8,19 @@
 #include "gonio/base/shown.h"
 
 namespace gonio::arguments {
-namespace {
-
-// A validator's name holds its words: an option keeps a copy of the plain Validator, which has no
-// other place for them.
-constexpr const char* kOneOf = "one of";
-constexpr const char* kSuggested = "suggested";
 
 std::string joined(const std::vector<std::string>& words, const char* separator) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
   return text;
 }
+
+namespace {
+
+// A validator's name holds its words: an option keeps a copy of the plain Validator, which has no
+// other place for them.
+constexpr const char* kOneOf = "one of";
+constexpr const char* kSuggested = "suggested";
 
 // Empty where the option has no such validator.
 std::string name_of_first(CLI::Option& option) {

@@ -1,8 +1,8 @@
 # The kernels are the same source compiled once per instruction set; each object exports one table, in a namespace of its
 # own. Nothing but the table may be shared between them (tests/engine checks the symbols).
 # -Wmaybe-uninitialized, and where all is inlined -Wuninitialized: GCC 12 warns of its own AVX-512 headers (its bug 105593).
-# --param sra-...: without it GCC copies the blocks' structures as bytes, which took a quarter of the time (AVX2: ashikhmin_shirley
-# 1.20 times as fast with it, phong 1.40, ggx 1.18; AVX-512 1.03), the same bits.
+# --param sra-...: without it GCC copies the blocks' structures as bytes. With it ashikhmin_shirley is 1.20 times as fast on AVX2,
+# phong 1.40, ggx 1.18, and all about 1.03 on AVX-512; results are the same bits.
 set(KERNEL_FLAGS -O3 -fno-math-errno -fno-trapping-math -ffp-contract=fast -Wno-maybe-uninitialized
                  --param=sra-max-scalarization-size-Ospeed=4096)
 if(CMAKE_BUILD_TYPE STREQUAL "Debug")

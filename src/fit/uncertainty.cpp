@@ -20,8 +20,8 @@ constexpr double kUnseen = 1e-3;
 constexpr double kTogether = 0.98;   // the least correlation that is reported
 constexpr double kTakesPart = 0.3;   // a parameter's least share in such a direction
 constexpr double kLeastPart = 1e-3;  // and of one that goes with it
-// Bounds are met within rounding: colours as a part of their bound, heights as one of the data.
-constexpr double kAtBound = 1e-9, kNothing = 1e-8;
+// A column whose height is below this part of the data's mean is not seen.
+constexpr double kNothing = 1e-8;
 // A standard error so many times a number says nothing of it.
 constexpr double kVague = 10;
 constexpr double kBlind = 1e6;

@@ -8,9 +8,6 @@
 namespace gonio::fit {
 namespace {
 
-// Of a shape in search scale, of a colour as a part of its bound: what descents leave.
-constexpr double kAtBound = 1e-9;
-
 class Fields {
  public:
   // Where data are far above a colour's upper bound, that bound is itself close to the lower one:

@@ -10,6 +10,10 @@
 
 namespace gonio::fit {
 
+// A shape in search scale so near to a bound is at it, and so is a colour by that part of its
+// bound: what descents leave.
+inline constexpr double kAtBound = 1e-9;
+
 // What is at a bound but for rounding: fields with the side, "specular[0].parameters.scale
 // (upper)", each once. `nothing`: the height of a column, in the form's unit, that the data cannot
 // see.
