@@ -42,6 +42,13 @@ inline client::Material form() {
                                {client::Lobe{"ggx", {{"fresnel", "schlick"}}}});
 }
 
+// A form whose fit is slow: many shapes, each lobe in the other's way.
+inline client::Material slow_form() {
+  const client::Lobe conductor{"ggx", {{"fresnel", "conductor"}}};
+  const client::Lobe streaks{"ward", {}};
+  return client::Material::sum(client::Lobe{"lambertian", {}}, {conductor, streaks});
+}
+
 class FitFixture : public ServerFixture {
  protected:
   void start_with(const std::function<void(ServerOptions&)>& change) {
