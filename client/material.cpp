@@ -1,6 +1,6 @@
 #include "gonio/client/material.h"
 
-#include "client/message_json.h"
+#include "client/messages/message_json.h"
 #include "gonio/v1/material.pb.h"
 #include "wire/convert.h"
 #include "wire/message.h"

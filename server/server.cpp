@@ -17,10 +17,10 @@
 
 #include "gonio/engine/thread_pool.h"
 #include "server/address.h"
-#include "server/calls_under_way.h"
 #include "server/configure.h"
-#include "server/materials.h"
+#include "server/materials/materials.h"
 #include "server/service.h"
+#include "server/work/calls_under_way.h"
 #include "wire/message.h"
 
 namespace gonio {

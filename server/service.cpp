@@ -2,17 +2,17 @@
 
 #include <utility>
 
-#include "server/assess_call.h"
-#include "server/chart_call.h"
-#include "server/evaluation.h"
-#include "server/fit_call.h"
-#include "server/integration.h"
-#include "server/list_models.h"
-#include "server/put_call.h"
-#include "server/sampling.h"
-#include "server/select_call.h"
-#include "server/stream_call.h"
-#include "server/unary_call.h"
+#include "server/calls/assess_call.h"
+#include "server/calls/chart_call.h"
+#include "server/calls/fit_call.h"
+#include "server/calls/put_call.h"
+#include "server/calls/select_call.h"
+#include "server/calls/stream_call.h"
+#include "server/calls/unary_call.h"
+#include "server/messages/list_models.h"
+#include "server/work/evaluation.h"
+#include "server/work/integration.h"
+#include "server/work/sampling.h"
 #include "wire/status.h"
 
 template class grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>;

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "gonio/v1/service.grpc.pb.h"
-#include "server/call.h"
+#include "server/calls/call.h"
 
 namespace gonio {
 

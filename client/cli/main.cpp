@@ -2,9 +2,9 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 
-#include "client/cli/exit_codes.h"
-#include "client/cli/output_file.h"
-#include "client/cli/terminal.h"
+#include "client/cli/output/exit_codes.h"
+#include "client/cli/output/output_file.h"
+#include "client/cli/output/terminal.h"
 #include "client/cli/tool/tool.h"
 #include "server/arguments/misuse.h"
 

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "assess/naive.h"
-#include "engine/degrees.h"
-#include "engine/material_impl.h"
+#include "engine/material/degrees.h"
+#include "engine/material/material_impl.h"
 
 namespace gonio::assess {
 namespace {

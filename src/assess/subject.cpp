@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "engine/material_impl.h"
+#include "engine/material/material_impl.h"
 
 namespace gonio::assess {
 namespace {

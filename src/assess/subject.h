@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "assess/naive_material.h"
-#include "engine/truth.h"
+#include "engine/truth/truth.h"
 #include "gonio/engine/material.h"
 #include "gonio/engine/sampler.h"
 #include "gonio/measured/table.h"

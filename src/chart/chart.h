@@ -16,7 +16,7 @@
 #include <memory>
 
 #include "chart/table.h"
-#include "fit/data.h"
+#include "fit/data/data.h"
 #include "gonio/base/result.h"
 #include "gonio/measured/table.h"
 #include "timing/race.h"
@@ -45,7 +45,7 @@ struct Measured {
 };
 
 // (b) The models fitted to it by L1, and the table itself in both interpolations: ns and bytes
-// against all metrics of fit/metrics.h. Fits that fail are left out.
+// against all metrics of fit/report/metrics.h. Fits that fail are left out.
 Result<Table> chart_fits(const Measured& measured, const Options& options);
 
 // (c) Fresnel's term in one lobe as a constant, by Schlick and exact, for substances; Schlick's

@@ -5,7 +5,7 @@
 #include "chart/chart.h"
 #include "chart/common.h"
 #include "fit/fit.h"
-#include "fit/metrics.h"
+#include "fit/report/metrics.h"
 #include "timing/pairs.h"
 
 namespace gonio::chart {

@@ -6,8 +6,8 @@
 #include "chart/cases.h"
 #include "chart/chart.h"
 #include "chart/common.h"
-#include "engine/truth.h"
-#include "parts/presets.h"
+#include "engine/truth/truth.h"
+#include "schema/presets.h"
 
 namespace gonio::chart {
 namespace {

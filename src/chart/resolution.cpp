@@ -5,7 +5,7 @@
 
 #include "chart/chart.h"
 #include "chart/common.h"
-#include "fit/metrics.h"
+#include "fit/report/metrics.h"
 
 namespace gonio::chart {
 namespace {
@@ -72,7 +72,8 @@ Between between(int fine, int fine_cells, int cells, bool linear, bool periodic)
   return {lower, std::min(lower + 1, cells - 1), weight};
 }
 
-// One of the full table's cells from a coarse one, as engine/measured_kernel.h interpolates.
+// One of the full table's cells from a coarse one, as engine/kernels/measured_kernel.h
+// interpolates.
 void fill(const std::vector<float>& values, const Resolution& r, const Between (&axis)[3],
           float* to) {
   float total = 0, sums[kChannels] = {};

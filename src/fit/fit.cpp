@@ -5,11 +5,11 @@
 #include <cmath>
 #include <string>
 
-#include "fit/certify.h"
-#include "fit/outliers.h"
-#include "fit/rotation.h"
-#include "fit/search.h"
-#include "fit/unit.h"
+#include "fit/data/outliers.h"
+#include "fit/data/unit.h"
+#include "fit/report/certify.h"
+#include "fit/search/rotation.h"
+#include "fit/search/search.h"
 
 namespace gonio::fit {
 namespace {

@@ -17,9 +17,9 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/certificate.h"
-#include "fit/data.h"
-#include "fit/objective.h"
+#include "fit/data/data.h"
+#include "fit/linear/objective.h"
+#include "fit/report/certificate.h"
 #include "gonio/base/result.h"
 #include "gonio/engine/material.h"
 

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <optional>
 
-#include "engine/material_impl.h"
+#include "engine/material/material_impl.h"
 #include "gonio/engine/registry.h"
 
 namespace gonio::fit {

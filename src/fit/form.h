@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "fit/bounds/colour.h"
-#include "fit/shape.h"
+#include "fit/search/shape.h"
 #include "gonio/base/result.h"
 #include "gonio/engine/material.h"
 

@@ -17,14 +17,14 @@
 #include <cmath>
 
 #include "gonio/models/description.h"
-#include "models/parameter_values.h"
 #include "numeric/type_list.h"
 #include "parts/cosine_power.h"
 #include "parts/fresnel.h"
 #include "parts/geometry.h"
 #include "parts/half_vector_sampling.h"
 #include "parts/lobe.h"
-#include "parts/presets.h"
+#include "schema/parameter_values.h"
+#include "schema/presets.h"
 
 namespace gonio {
 

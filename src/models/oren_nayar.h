@@ -22,9 +22,9 @@
 #include <string_view>
 
 #include "gonio/models/description.h"
-#include "models/parameter_values.h"
 #include "numeric/type_list.h"
 #include "parts/geometry.h"
+#include "schema/parameter_values.h"
 
 namespace gonio {
 

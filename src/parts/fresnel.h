@@ -12,10 +12,10 @@
 #include <string_view>
 
 #include "gonio/models/description.h"
-#include "models/parameter_values.h"
 #include "numeric/inline.h"
 #include "parts/geometry.h"
-#include "parts/presets.h"
+#include "schema/parameter_values.h"
+#include "schema/presets.h"
 
 namespace gonio::fresnel {
 

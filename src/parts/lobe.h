@@ -5,10 +5,10 @@
 // the colour scale differ by channel.
 #pragma once
 
-#include "models/parameter_values.h"
 #include "numeric/type_list.h"
 #include "parts/fresnel.h"
 #include "parts/geometry.h"
+#include "schema/parameter_values.h"
 
 namespace gonio {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gonio/engine/material.h"
-#include "select/distribution.h"
+#include "select/error/distribution.h"
 
 namespace gonio::select {
 

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <numbers>
 
-#include "fit/metrics.h"
-#include "select/error.h"
+#include "fit/report/metrics.h"
+#include "select/error/error.h"
 
 namespace gonio::select {
 namespace {

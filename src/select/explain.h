@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "fit/data.h"
+#include "fit/data/data.h"
 #include "gonio/engine/material.h"
 #include "select/scene.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "select/distribution.h"
+#include "select/error/distribution.h"
 #include "select/select.h"
 #include "select/walk.h"
 

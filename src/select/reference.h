@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "fit/data.h"
-#include "select/distribution.h"
+#include "fit/data/data.h"
+#include "select/error/distribution.h"
 
 namespace gonio::select {
 

@@ -7,12 +7,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "fit/objective.h"
+#include "fit/linear/objective.h"
 #include "gonio/base/result.h"
 
 namespace gonio::select {
 
-// The error that the tolerance is of, with cos that of incidence; fit/metrics.h has the formulas.
+// The error that the tolerance is of, with cos that of incidence; fit/report/metrics.h has the
+// formulas.
 enum class Metric : std::uint8_t {
   l1,    // |f - m| cos, as a part of m cos
   rmse,  // of f cos, in 1/sr

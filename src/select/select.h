@@ -31,10 +31,10 @@
 #include <string>
 #include <vector>
 
-#include "fit/data.h"
+#include "fit/data/data.h"
 #include "gonio/engine/material.h"
 #include "select/cost.h"
-#include "select/error.h"
+#include "select/error/error.h"
 #include "select/reference.h"
 #include "select/scene.h"
 

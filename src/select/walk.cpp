@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "select/error/rounding.h"
 #include "select/explain.h"
-#include "select/rounding.h"
 
 namespace gonio::select {
 namespace {

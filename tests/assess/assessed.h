@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "assess/assess.h"
-#include "engine/material_impl.h"
-#include "engine/prepare.h"
-#include "models/cases.h"
-#include "models/run.h"
+#include "engine/kernels/prepare.h"
+#include "engine/material/material_impl.h"
+#include "models/oracle/cases.h"
+#include "models/oracle/run.h"
 
 namespace gonio::testing {
 

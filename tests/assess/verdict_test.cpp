@@ -11,8 +11,8 @@
 #include "assess/places.h"
 #include "effort.h"
 #include "gonio/measured/table.h"
-#include "models/analytic_models.h"
-#include "models/draws.h"
+#include "models/harness/analytic_models.h"
+#include "models/oracle/draws.h"
 
 namespace gonio::testing {
 namespace {

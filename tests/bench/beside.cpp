@@ -16,9 +16,9 @@
 #include <thread>
 #include <vector>
 
-#include "client/pairs.h"
+#include "client/support/pairs.h"
 #include "gonio/client/client.h"
-#include "server/daemon.h"
+#include "server/support/daemon.h"
 
 namespace gonio::bench {
 namespace {

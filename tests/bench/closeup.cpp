@@ -13,10 +13,10 @@
 #include <numbers>
 
 #include "chart/textbook.h"
-#include "client/cli/connection.h"
-#include "client/render/evaluator.h"
-#include "client/render/integrator.h"
-#include "client/render/sky.h"
+#include "client/cli/arguments/connection.h"
+#include "client/picture/render/evaluator.h"
+#include "client/picture/render/integrator.h"
+#include "client/picture/render/sky.h"
 
 namespace gonio::bench {
 namespace {

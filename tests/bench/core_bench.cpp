@@ -18,7 +18,7 @@
 #include "bench/core_table.h"
 #include "gonio/engine/evaluate.h"
 #include "gonio/engine/thread_pool.h"
-#include "models/run.h"
+#include "models/oracle/run.h"
 #include "timing/pairs.h"
 
 namespace gonio::bench {

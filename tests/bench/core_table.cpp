@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "bench/cases.h"
-#include "models/compare.h"
-#include "models/run.h"
+#include "models/harness/compare.h"
+#include "models/oracle/run.h"
 
 namespace gonio::bench {
 

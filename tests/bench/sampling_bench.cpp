@@ -13,7 +13,7 @@
 #include "chart/sampling_cases.h"
 #include "chart/variance.h"
 #include "gonio/engine/sampler.h"
-#include "models/run.h"
+#include "models/oracle/run.h"
 #include "timing/samples.h"
 
 namespace gonio::bench {

@@ -21,7 +21,7 @@
 #include "bench/resident.h"
 #include "bench/wire_server.h"
 #include "gonio/client/client.h"
-#include "server/daemon.h"
+#include "server/support/daemon.h"
 #include "timing/spread.h"
 #include "wire/codec.h"
 #include "wire/convert.h"

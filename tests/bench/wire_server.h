@@ -13,9 +13,9 @@
 #include <thread>
 
 #include "bench/echo_service.h"
-#include "server/background_queue.h"
 #include "server/configure.h"
 #include "server/service.h"
+#include "server/work/background_queue.h"
 
 namespace gonio::bench {
 

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/json_text.h"
-#include "cli/run_process.h"
+#include "cli/support/json_text.h"
+#include "cli/support/run_process.h"
 
 namespace gonio::test {
 namespace {

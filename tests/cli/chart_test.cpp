@@ -3,10 +3,10 @@
 #include <google/protobuf/util/message_differencer.h>
 #include <gtest/gtest.h>
 
-#include "cli/chart_files.h"
-#include "cli/json_text.h"
-#include "cli/run_process.h"
-#include "cli/socket_server.h"
+#include "cli/support/chart_files.h"
+#include "cli/support/json_text.h"
+#include "cli/support/run_process.h"
+#include "cli/support/socket_server.h"
 
 namespace gonio::test {
 namespace {

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/run_process.h"
-#include "client/image_files.h"
+#include "cli/support/run_process.h"
+#include "client/support/image_files.h"
 #include "measured/synthetic_merl.h"
 
 namespace gonio::test {

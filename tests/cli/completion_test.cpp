@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/run_process.h"
+#include "cli/support/run_process.h"
 
 namespace gonio::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <regex>
 
-#include "cli/run_process.h"
+#include "cli/support/run_process.h"
 
 namespace gonio::test {
 namespace {

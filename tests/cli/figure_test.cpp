@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "client/cli/chart/labels.h"
+#include "client/cli/chart/panel/labels.h"
 
 namespace gonio::cli {
 namespace {

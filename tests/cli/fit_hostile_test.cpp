@@ -7,7 +7,7 @@
 #include <functional>
 #include <sstream>
 
-#include "cli/run_process.h"
+#include "cli/support/run_process.h"
 
 namespace gonio::test {
 namespace {

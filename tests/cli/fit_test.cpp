@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "cli/json_text.h"
-#include "cli/npy_file.h"
-#include "cli/run_process.h"
+#include "cli/support/json_text.h"
+#include "cli/support/npy_file.h"
+#include "cli/support/run_process.h"
 #include "data_folder.h"
 
 namespace gonio::test {

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/npy_file.h"
-#include "cli/run_process.h"
+#include "cli/support/npy_file.h"
+#include "cli/support/run_process.h"
 
 namespace gonio::test {
 namespace {

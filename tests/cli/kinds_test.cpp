@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "cli/run_process.h"
+#include "cli/support/run_process.h"
 #include "client/cli/input/file_kind.h"
 #include "measured/synthetic_merl.h"
 

@@ -4,12 +4,12 @@
 
 #include <limits>
 
-#include "cli/run_process.h"
-#include "cli/socket_server.h"
-#include "client/image/exr.h"
-#include "client/image/read.h"
-#include "client/image/srgb.h"
-#include "client/image_files.h"
+#include "cli/support/run_process.h"
+#include "cli/support/socket_server.h"
+#include "client/picture/image/exr.h"
+#include "client/picture/image/read.h"
+#include "client/picture/image/srgb.h"
+#include "client/support/image_files.h"
 
 namespace gonio::test {
 namespace {

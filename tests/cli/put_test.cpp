@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/run_process.h"
-#include "cli/socket_server.h"
+#include "cli/support/run_process.h"
+#include "cli/support/socket_server.h"
 #include "measured/synthetic_merl.h"
 
 namespace gonio::test {

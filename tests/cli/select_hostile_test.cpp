@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/select_fixture.h"
+#include "cli/support/select_fixture.h"
 
 namespace gonio::test {
 namespace {

@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/json_text.h"
-#include "cli/select_fixture.h"
-#include "cli/socket_server.h"
+#include "cli/support/json_text.h"
+#include "cli/support/select_fixture.h"
+#include "cli/support/socket_server.h"
 
 namespace gonio::test {
 namespace {

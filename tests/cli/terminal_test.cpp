@@ -1,12 +1,12 @@
 // Foreign text on a terminal: shown, never obeyed, and never a line of its own.
-#include "client/cli/terminal.h"
+#include "client/cli/output/terminal.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/run_process.h"
-#include "client/cli/json.h"
-#include "client/cli/text.h"
+#include "cli/support/run_process.h"
+#include "client/cli/output/text.h"
+#include "client/cli/scene/json.h"
 #include "data_folder.h"
 
 namespace gonio::test {

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "cli/run_process.h"
+#include "cli/support/run_process.h"
 #include "data_folder.h"
 
 namespace gonio::test {

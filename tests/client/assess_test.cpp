@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "client/server_fixture.h"
+#include "client/support/server_fixture.h"
 
 namespace gonio::test {
 namespace {

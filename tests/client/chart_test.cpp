@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client/fit_fixture.h"
+#include "client/support/fit_fixture.h"
 
 namespace gonio::test {
 namespace {

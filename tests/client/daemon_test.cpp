@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "client/pairs.h"
+#include "client/support/pairs.h"
 #include "gonio/client/client.h"
 #include "measured/temp_folder.h"
 

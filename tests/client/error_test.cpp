@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "client/pairs.h"
-#include "client/server_fixture.h"
+#include "client/support/pairs.h"
+#include "client/support/server_fixture.h"
 #include "gonio/client/client.h"
 
 namespace gonio::test {

@@ -7,8 +7,8 @@
 #include <thread>
 #include <utility>
 
-#include "client/fit_convert.h"
-#include "client/fit_fixture.h"
+#include "client/messages/fit_convert.h"
+#include "client/support/fit_fixture.h"
 #include "effort.h"
 
 namespace gonio::test {

@@ -9,12 +9,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "client/fit_convert.h"
-#include "client/fit_fixture.h"
+#include "client/messages/fit_convert.h"
+#include "client/support/fit_fixture.h"
 #include "effort.h"
 #include "gonio/engine/evaluate.h"
 #include "measured/synthetic_merl.h"
-#include "server/fit_messages.h"
+#include "server/messages/fit_messages.h"
 
 namespace gonio::test {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "client/pairs.h"
-#include "client/server_fixture.h"
+#include "client/support/pairs.h"
+#include "client/support/server_fixture.h"
 
 namespace gonio::test {
 namespace {

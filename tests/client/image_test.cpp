@@ -5,12 +5,12 @@
 
 #include <limits>
 
-#include "client/image/exr.h"
-#include "client/image/pfm.h"
-#include "client/image/png.h"
-#include "client/image/read.h"
-#include "client/image/srgb.h"
-#include "client/image_files.h"
+#include "client/picture/image/exr.h"
+#include "client/picture/image/pfm.h"
+#include "client/picture/image/png.h"
+#include "client/picture/image/read.h"
+#include "client/picture/image/srgb.h"
+#include "client/support/image_files.h"
 #include "measured/temp_folder.h"
 
 namespace gonio::test {

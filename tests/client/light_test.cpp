@@ -1,5 +1,5 @@
 // Shapes, camera, samples and lights, without any material.
-#include "client/render/light.h"
+#include "client/picture/render/light.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,10 +9,10 @@
 #include <numbers>
 #include <set>
 
-#include "client/render/camera.h"
-#include "client/render/sequence.h"
-#include "client/render/shape.h"
-#include "client/render/sky.h"
+#include "client/picture/render/camera.h"
+#include "client/picture/render/sequence.h"
+#include "client/picture/render/shape.h"
+#include "client/picture/render/sky.h"
 
 namespace gonio::test {
 namespace {

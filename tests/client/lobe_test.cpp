@@ -1,5 +1,5 @@
 // The pictures of lobes: scales, curves, hemispheres.
-#include "client/lobe/lobe.h"
+#include "client/picture/lobe/lobe.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "client/lobe/picture.h"
-#include "client/server_fixture.h"
+#include "client/picture/lobe/picture.h"
+#include "client/support/server_fixture.h"
 
 namespace gonio::test {
 namespace {

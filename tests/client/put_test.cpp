@@ -7,7 +7,7 @@
 #include <numbers>
 #include <thread>
 
-#include "client/fit_fixture.h"
+#include "client/support/fit_fixture.h"
 #include "measured/synthetic_merl.h"
 
 namespace gonio::test {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "client/render/evaluator.h"
-#include "client/render/integrator.h"
-#include "client/server_fixture.h"
+#include "client/picture/render/evaluator.h"
+#include "client/picture/render/integrator.h"
+#include "client/support/server_fixture.h"
 
 namespace gonio::test {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "client/fake_service.h"
-#include "client/pairs.h"
+#include "client/support/fake_service.h"
+#include "client/support/pairs.h"
 #include "gonio/client/client.h"
 
 namespace gonio::test {

@@ -6,7 +6,7 @@
 
 #include <thread>
 
-#include "client/fit_fixture.h"
+#include "client/support/fit_fixture.h"
 #include "gonio/v1/fit.pb.h"
 
 namespace gonio::test {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "client/fit_fixture.h"
+#include "client/support/fit_fixture.h"
 #include "select/prices.h"
 
 namespace gonio::test {

@@ -1,5 +1,5 @@
 // Slices of `gonio compare`: which range they show, and that lines leave the frame.
-#include "client/lobe/slices.h"
+#include "client/picture/lobe/slices.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "client/lobe/scale.h"
+#include "client/picture/lobe/scale.h"
 
 namespace gonio::lobe {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "gonio/engine/material.h"
-#include "models/analytic_models.h"
+#include "models/harness/analytic_models.h"
 
 namespace gonio {
 namespace {

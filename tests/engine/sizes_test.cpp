@@ -2,7 +2,7 @@
 // sizes at which loops that compilers unroll and vectorise have a rest, or nothing but one.
 #include <gtest/gtest.h>
 
-#include "engine/derivative.h"
+#include "engine/material/derivative.h"
 #include "engine/samples.h"
 #include "gonio/engine/grid.h"
 

@@ -1,5 +1,5 @@
 // Arrays' functions on every instruction set, against the standard library's and objective.h.
-#include "fit/array_kernels.h"
+#include "fit/linear/array_kernels.h"
 
 #include <gtest/gtest.h>
 

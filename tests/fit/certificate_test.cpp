@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "fit/albedo.h"
+#include "fit/report/albedo.h"
 #include "fit/synthetic.h"
 
 namespace gonio::testing {

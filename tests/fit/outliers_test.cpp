@@ -1,5 +1,5 @@
 // A value that no reflectance could be is said, and no fit to it is "converged".
-#include "fit/outliers.h"
+#include "fit/data/outliers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

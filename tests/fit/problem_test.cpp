@@ -1,11 +1,11 @@
 // A problem's gradient against central differences of its cost, by every parameter of every model.
-#include "fit/problem.h"
+#include "fit/search/problem.h"
 
 #include <gtest/gtest.h>
 
 #include "fit/cases.h"
-#include "fit/node.h"
-#include "fit/search.h"
+#include "fit/linear/node.h"
+#include "fit/search/search.h"
 #include "fit/synthetic.h"
 
 namespace gonio::testing {

@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "fit/data.h"
+#include "fit/data/data.h"
 #include "gonio/measured/table.h"
 #include "measured/npf_material.h"
 #include "measured/synthetic_merl.h"

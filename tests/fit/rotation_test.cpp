@@ -1,6 +1,6 @@
 // The axes of anisotropic data: found where they are turned, left alone where they are not, and
 // told of where the fit could not turn its own.
-#include "fit/rotation.h"
+#include "fit/search/rotation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

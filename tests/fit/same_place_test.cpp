@@ -1,5 +1,5 @@
 // Ends of descents that are one material.
-#include "fit/same_place.h"
+#include "fit/search/same_place.h"
 
 #include <gtest/gtest.h>
 

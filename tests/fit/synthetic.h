@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "fit/data.h"
+#include "fit/data/data.h"
 #include "fit/fit.h"
 #include "gonio/engine/evaluate.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/batches.h"
-#include "engine/hole_share.h"
+#include "engine/material/hole_share.h"
 #include "gonio/engine/sampler.h"
 #include "measured/cells.h"
 #include "measured/table_review.h"

@@ -10,10 +10,10 @@
 #include <sstream>
 
 #include "gonio/engine/registry.h"
-#include "models/cases.h"
-#include "models/compare.h"
-#include "models/run.h"
-#include "models/truth.h"
+#include "models/harness/compare.h"
+#include "models/oracle/cases.h"
+#include "models/oracle/run.h"
+#include "models/oracle/truth.h"
 
 namespace gonio::testing {
 namespace {

@@ -1,11 +1,11 @@
 // What a derivative is taken by, and of what. That its values are right is the harness's to say.
-#include "engine/derivative.h"
+#include "engine/material/derivative.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "models/harness.h"
-#include "models/run.h"
+#include "models/harness/harness.h"
+#include "models/oracle/run.h"
 
 namespace gonio::testing {
 namespace {

@@ -2,7 +2,7 @@
 // printed form gets wrong and that the library gets right.
 //
 // The printed forms stand here and nowhere else.
-#include "models/errata.h"
+#include "models/oracle/errata.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Every model of the registry against every check. A model added there is tested without a line
 // here.
-#include "models/harness.h"
+#include "models/harness/harness.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/truth.h"
+#include "engine/truth/truth.h"
 #include "gonio/engine/evaluate.h"
 #include "gonio/engine/isa.h"
 

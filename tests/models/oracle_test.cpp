@@ -1,6 +1,6 @@
 // Why the oracle can be believed: values known by other means, normalisations that the formulas
 // must have, two number types that agree, and a comparison that finds what it should.
-#include "models/oracle.h"
+#include "models/oracle/oracle.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <iostream>
 #include <random>
 
-#include "models/cases.h"
-#include "models/compare.h"
-#include "models/run.h"
+#include "models/harness/compare.h"
+#include "models/oracle/cases.h"
+#include "models/oracle/run.h"
 
 namespace gonio::testing {
 namespace {

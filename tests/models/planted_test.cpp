@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "models/harness.h"
+#include "models/harness/harness.h"
 
 namespace gonio::testing {
 namespace {

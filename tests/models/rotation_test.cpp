@@ -8,8 +8,8 @@
 
 #include "gonio/measured/table.h"
 #include "measured/synthetic_merl.h"
-#include "models/cases.h"
-#include "models/run.h"
+#include "models/oracle/cases.h"
+#include "models/oracle/run.h"
 
 namespace gonio::testing {
 namespace {

@@ -1,14 +1,14 @@
 // The product's truth, the models' templates in long double, against the independent 128-bit
 // oracle: thousands of hard pairs for every case of every model.
-#include "engine/truth.h"
+#include "engine/truth/truth.h"
 
 #include <gtest/gtest.h>
 
 #include "gonio/measured/table.h"
-#include "models/cases.h"
-#include "models/compare.h"
-#include "models/run.h"
-#include "models/truth.h"
+#include "models/harness/compare.h"
+#include "models/oracle/cases.h"
+#include "models/oracle/run.h"
+#include "models/oracle/truth.h"
 
 namespace gonio::testing {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "models/real.h"
+#include "models/oracle/real.h"
 
 namespace gonio::testing {
 

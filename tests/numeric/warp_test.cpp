@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "engine/flush_to_zero.h"
+#include "engine/kernels/flush_to_zero.h"
 #include "numeric/arrays.h"
 #include "numeric/errors.h"
 

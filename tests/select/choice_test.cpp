@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "effort.h"
-#include "fit/metrics.h"
+#include "fit/report/metrics.h"
 #include "fit/synthetic.h"
 #include "select/trials.h"
 

@@ -1,5 +1,5 @@
 // Differences of colour against pairs published with the formula, and what a picture shows.
-#include "select/colour.h"
+#include "select/error/colour.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "select/error.h"
+#include "select/error/error.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "fit/metrics.h"
+#include "fit/report/metrics.h"
 #include "fit/synthetic.h"
 #include "select/trials.h"
 

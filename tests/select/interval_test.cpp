@@ -1,4 +1,4 @@
-#include "select/interval.h"
+#include "select/error/interval.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "select/distribution.h"
+#include "select/error/distribution.h"
 #include "select/trials.h"
 
 namespace gonio::testing {

@@ -12,7 +12,7 @@
 
 #include "gonio/client/client.h"
 #include "measured/temp_folder.h"
-#include "server/harness.h"
+#include "server/support/harness.h"
 
 namespace gonio::testing {
 namespace {

@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "effort.h"
-#include "server/assess_request.h"
-#include "server/harness.h"
+#include "server/messages/assess_request.h"
+#include "server/support/harness.h"
 #include "wire/convert.h"
 
 namespace gonio::testing {

@@ -1,6 +1,6 @@
 // The queue of fits and uploads: bounded, each job once, what nobody waits for gives its place
 // back.
-#include "server/background_queue.h"
+#include "server/work/background_queue.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

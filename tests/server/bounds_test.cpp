@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/truth.h"
-#include "server/build_material.h"
-#include "server/sample_requests.h"
+#include "engine/truth/truth.h"
+#include "server/materials/build_material.h"
+#include "server/support/sample_requests.h"
 #include "wire/convert.h"
 
 namespace gonio::testing {

@@ -5,10 +5,10 @@
 
 #include <chrono>
 
-#include "server/background_queue.h"
-#include "server/busy_pool.h"
-#include "server/evaluation.h"
-#include "server/stream_client.h"
+#include "server/support/busy_pool.h"
+#include "server/support/stream_client.h"
+#include "server/work/background_queue.h"
+#include "server/work/evaluation.h"
 #include "wire/codec.h"
 
 namespace gonio::testing {

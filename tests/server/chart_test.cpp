@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "effort.h"
-#include "server/chart_request.h"
-#include "server/progress_client.h"
+#include "server/messages/chart_request.h"
+#include "server/support/progress_client.h"
 
 namespace gonio::testing {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "server/harness.h"
+#include "server/support/harness.h"
 
 namespace gonio::testing {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "gonio/engine/grid.h"
-#include "server/harness.h"
+#include "server/support/harness.h"
 
 namespace gonio::testing {
 namespace {

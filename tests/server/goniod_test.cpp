@@ -15,8 +15,8 @@
 #include "gonio/measured/table.h"
 #include "measured/synthetic_merl.h"
 #include "measured/temp_folder.h"
-#include "server/daemon.h"
-#include "server/harness.h"
+#include "server/support/daemon.h"
+#include "server/support/harness.h"
 #include "wire/sha256.h"
 
 namespace gonio::testing {

@@ -4,8 +4,8 @@
 
 #include <thread>
 
-#include "server/harness.h"
-#include "server/raw_call.h"
+#include "server/support/harness.h"
+#include "server/support/raw_call.h"
 #include "wire/bytes.h"
 #include "wire/fields.h"
 

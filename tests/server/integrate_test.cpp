@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "server/moments.h"
-#include "server/sample_requests.h"
+#include "server/support/sample_requests.h"
+#include "server/work/moments.h"
 
 namespace gonio::testing {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <thread>
 
-#include "server/harness.h"
-#include "server/raw_call.h"
+#include "server/support/harness.h"
+#include "server/support/raw_call.h"
 #include "wire/fields.h"
 
 namespace gonio::testing {

@@ -5,7 +5,7 @@
 
 #include "gonio/base/version.h"
 #include "gonio/engine/registry.h"
-#include "server/harness.h"
+#include "server/support/harness.h"
 
 namespace gonio::testing {
 namespace {

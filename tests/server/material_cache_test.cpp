@@ -1,8 +1,8 @@
-#include "server/material_cache.h"
+#include "server/materials/material_cache.h"
 
 #include <gtest/gtest.h>
 
-#include "server/harness.h"
+#include "server/support/harness.h"
 
 namespace gonio::testing {
 namespace {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "server/harness.h"
+#include "server/support/harness.h"
 #include "wire/convert.h"
 
 namespace gonio::testing {

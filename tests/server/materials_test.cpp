@@ -1,5 +1,5 @@
 // A materials folder: what is served, and what is said of files that cannot be.
-#include "server/materials.h"
+#include "server/materials/materials.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include "gonio/measured/table.h"
 #include "measured/synthetic_merl.h"
 #include "measured/temp_folder.h"
-#include "server/harness.h"
+#include "server/support/harness.h"
 #include "wire/convert.h"
 
 namespace gonio::testing {

@@ -1,5 +1,5 @@
 // A substance's name where a material's is expected.
-#include "server/preset_material.h"
+#include "server/materials/preset_material.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "measured/temp_folder.h"
-#include "server/materials.h"
+#include "server/materials/materials.h"
 
 namespace gonio {
 namespace {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "effort.h"
-#include "server/daemon.h"
-#include "server/flood.h"
+#include "server/support/daemon.h"
+#include "server/support/flood.h"
 
 namespace gonio::testing {
 namespace {

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "server/busy_pool.h"
-#include "server/stream_client.h"
+#include "server/support/busy_pool.h"
+#include "server/support/stream_client.h"
 
 namespace gonio::testing {
 namespace {

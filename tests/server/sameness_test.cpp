@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "measured/temp_folder.h"
-#include "server/harness.h"
-#include "server/stream_client.h"
+#include "server/support/harness.h"
+#include "server/support/stream_client.h"
 
 namespace gonio::testing {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "server/sample_requests.h"
-#include "server/stream_client.h"
+#include "server/support/sample_requests.h"
+#include "server/support/stream_client.h"
 
 namespace gonio::testing {
 namespace {

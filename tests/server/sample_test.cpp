@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "server/sample_requests.h"
+#include "server/support/sample_requests.h"
 
 namespace gonio::testing {
 namespace {

@@ -10,8 +10,8 @@
 #include "effort.h"
 #include "fit/synthetic.h"
 #include "select/prices.h"
-#include "server/progress_client.h"
-#include "server/select_messages.h"
+#include "server/messages/select_messages.h"
+#include "server/support/progress_client.h"
 
 namespace gonio::testing {
 namespace {

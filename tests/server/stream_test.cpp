@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "server/harness.h"
-#include "server/raw_call.h"
-#include "server/stream_client.h"
+#include "server/support/harness.h"
+#include "server/support/raw_call.h"
+#include "server/support/stream_client.h"
 
 namespace gonio::testing {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "chart/parts.h"
-#include "client/cli/connection.h"
+#include "client/cli/arguments/connection.h"
 
 namespace gonio::cli {
 

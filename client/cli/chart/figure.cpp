@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client/cli/chart/panel_script.h"
+#include "client/cli/chart/panel/panel_script.h"
 
 namespace gonio::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <system_error>
 
 #include "client/cli/chart/figures.h"
-#include "client/cli/chart/gnuplot.h"
-#include "client/cli/output_file.h"
+#include "client/cli/chart/panel/gnuplot.h"
+#include "client/cli/output/output_file.h"
 #include "gonio/base/shown.h"
 
 namespace gonio::cli {

@@ -10,8 +10,8 @@
 
 #include "chart/parts.h"
 #include "client/cli/chart/wire.h"
-#include "client/cli/comparison.h"
-#include "client/cli/progress.h"
+#include "client/cli/compare/comparison.h"
+#include "client/cli/output/progress.h"
 
 namespace gonio::cli {
 namespace {

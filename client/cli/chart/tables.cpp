@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "client/cli/json.h"
-#include "client/cli/numbers.h"
+#include "client/cli/output/numbers.h"
+#include "client/cli/scene/json.h"
 
 namespace gonio::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "client/cli/chart/figures.h"
-#include "client/cli/numbers.h"
+#include "client/cli/output/numbers.h"
 
 namespace gonio::cli {
 namespace {

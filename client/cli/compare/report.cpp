@@ -2,10 +2,10 @@
 
 #include <cstdio>
 
-#include "client/cli/fit_table.h"
-#include "client/cli/json.h"
-#include "client/cli/numbers.h"
-#include "client/cli/text.h"
+#include "client/cli/output/numbers.h"
+#include "client/cli/output/text.h"
+#include "client/cli/report/fit_table.h"
+#include "client/cli/scene/json.h"
 
 namespace gonio::cli {
 namespace {

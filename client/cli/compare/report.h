@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "client/cli/comparison.h"
-#include "fit/metrics.h"
+#include "client/cli/compare/comparison.h"
+#include "fit/report/metrics.h"
 
 namespace gonio::cli {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/text/number.h"
-#include "client/cli/byte_source.h"
+#include "client/cli/input/byte_source.h"
 #include "client/cli/input/csv_fields.h"
 #include "client/cli/input/csv_header.h"
 #include "gonio/base/result.h"

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "client/cli/numbers.h"
-#include "client/cli/terminal.h"
+#include "client/cli/output/numbers.h"
+#include "client/cli/output/terminal.h"
 #include "gonio/base/shown.h"
 
 namespace gonio::cli {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "client/cli/grid_spec.h"
-#include "client/cli/pair_input.h"
+#include "client/cli/arguments/grid_spec.h"
+#include "client/cli/input/pair_input.h"
 
 namespace gonio::cli {
 

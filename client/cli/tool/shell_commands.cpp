@@ -7,9 +7,9 @@
 #include <string>
 #include <system_error>
 
-#include "client/cli/commands.h"
-#include "client/cli/exit_codes.h"
-#include "client/cli/output_file.h"
+#include "client/cli/commands/commands.h"
+#include "client/cli/output/exit_codes.h"
+#include "client/cli/output/output_file.h"
 #include "client/cli/tool/tool.h"
 #include "server/arguments/completion.h"
 #include "server/arguments/man_page.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "fit/basis.h"
+#include "fit/linear/basis.h"
 
 namespace gonio::fit {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fit/linear.h"
+#include "fit/linear/linear.h"
 
 namespace gonio::fit {
 namespace {

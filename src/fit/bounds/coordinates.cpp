@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/basis.h"
+#include "fit/linear/basis.h"
 
 namespace gonio::fit {
 namespace {

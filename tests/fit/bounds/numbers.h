@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fit/form.h"
-#include "fit/metrics.h"
+#include "fit/report/metrics.h"
 #include "gonio/engine/material.h"
 #include "gonio/engine/registry.h"
 

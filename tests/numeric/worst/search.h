@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/flush_to_zero.h"
+#include "engine/kernels/flush_to_zero.h"
 #include "numeric/arrays.h"
 
 namespace gonio::testing {

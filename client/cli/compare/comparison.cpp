@@ -1,0 +1,106 @@
+#include "client/cli/compare/comparison.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "client/cli/arguments/material_argument.h"
+#include "client/cli/output/terminal.h"
+#include "client/cli/output/text.h"
+#include "engine/material/material_impl.h"
+#include "server/materials/materials.h"
+
+namespace gonio::cli {
+namespace {
+
+Result<Compared> build(const Materials& materials, const std::string& argument) {
+  auto material = read_material(argument, true);
+  if (!material) return material.error();
+  auto built = materials.resolve(material->wire());
+  if (!built) return built.error();
+  return Compared{shown_name(argument), std::move(*material), built->material()};
+}
+
+Result<fit::Data> data_of(const MeasuredInput& input, const Materials& materials) {
+  if (input.measured) {
+    const auto material = materials.resolve(input.measured->wire());
+    if (!material) return material.error();
+    return fit::from_table(*material->material().impl().table);
+  }
+  const auto wide = [](const std::vector<float>& x) {
+    return std::vector<double>(x.begin(), x.end());
+  };
+  return fit::from_pairs(wide(input.wi), wide(input.wo), wide(input.values), input.channels,
+                         wide(input.weights));
+}
+
+// Nothing can be said of measurements of which none can be used.
+Outcome check_usable(const std::string& file, const fit::Data& data) {
+  if (data.size() > 0) return Ok{};
+  const fit::LeftOut& out = data.left_out;
+  std::vector<std::string> why;
+  for (const auto& [count, what] :
+       {std::pair(out.not_finite, " not finite"), std::pair(out.not_unit, " not unit"),
+        std::pair(out.below_horizon, " below the horizon"),
+        std::pair(out.negative, " negative or not measured"),
+        std::pair(out.no_weight, " without weight")}) {
+    if (count > 0) why.push_back(std::to_string(count) + what);
+  }
+  const std::string reasons = why.empty() ? "" : " (" + joined(why, ", ") + ")";
+  return bad_value("the data of " + file,
+                   "without a usable pair, " + std::to_string(out.total()) + " left out" + reasons,
+                   "one pair or more whose directions and values can be used");
+}
+
+Outcome check_channels(const std::string& name, const Material& material, const fit::Data& data) {
+  if (material.channels() == 1 || material.channels() == data.channels) return Ok{};
+  return bad_value("--material " + name,
+                   "a material of " + std::to_string(material.channels()) + " channels",
+                   (data.channels == 1 ? "1" : "1 or " + std::to_string(data.channels)) +
+                       ", those of the reference");
+}
+
+}  // namespace
+
+std::string shown_name(const std::string& argument) {
+  if (argument.find('{') != std::string::npos) return argument;
+  return std::filesystem::path(argument).filename().string();
+}
+
+Result<Comparison> read_comparison(const std::string& reference,
+                                   const std::vector<std::string>& arguments, bool degrees) {
+  Materials materials;
+  materials.allow_local_files();
+  auto input = read_measured(reference, true, degrees);
+  if (!input) return input.error();
+  auto data = data_of(*input, materials);
+  if (!data) return data.error();
+  if (auto usable = check_usable(reference, *data); !usable) return usable.error();
+  Comparison comparison{std::move(*input), std::move(*data), {}};
+  for (const std::string& argument : arguments) {
+    auto one = build(materials, argument);
+    if (!one) return one.error();
+    if (auto agree = check_channels(argument, one->material, comparison.data); !agree)
+      return agree.error();
+    comparison.compared.push_back(std::move(*one));
+  }
+  return comparison;
+}
+
+Result<chart::Measured> read_chart_data(const std::string& file, bool degrees) {
+  Materials materials;
+  materials.allow_local_files();
+  auto input = read_measured(file, true, degrees);
+  if (!input) return input.error();
+  auto data = data_of(*input, materials);
+  if (!data) return data.error();
+  if (auto usable = check_usable(file, *data); !usable) return usable.error();
+  if (input->raised > 0) print_note(file + ": " + raised_text(*input));
+  chart::Measured measured{shown_name(file), std::move(*data), nullptr};
+  if (!input->measured) return measured;
+  const auto material = materials.resolve(input->measured->wire());
+  if (!material) return material.error();
+  measured.table = material->material().impl().table;
+  return measured;
+}
+
+}  // namespace gonio::cli

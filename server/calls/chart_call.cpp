@@ -1,0 +1,47 @@
+#include "server/calls/chart_call.h"
+
+#include <utility>
+
+#include "wire/message.h"
+
+namespace gonio {
+namespace {
+
+grpc::ByteBuffer to_event(std::string_view stage, double done) {
+  v1::ChartResponse response;
+  response.mutable_progress()->set_stage(std::string(stage));
+  response.mutable_progress()->set_done(done);
+  return wire::to_buffer(response);
+}
+
+}  // namespace
+
+ChartCall::ChartCall(const Backend& backend, grpc::CallbackServerContext& context)
+    : ProgressCall(backend, context, "Chart", "the chart") {
+  note(to_event("queued", 0));
+}
+
+Result<std::size_t> ChartCall::prepare(const grpc::ByteBuffer& buffer) {
+  auto request = decode_chart_request(buffer);
+  if (!request) return request.error();
+  auto task = chart_task(std::move(*request), background().backend().materials);
+  if (!task) return task.error();
+  task_ = std::move(*task);
+  return task_.bytes;
+}
+
+Result<grpc::ByteBuffer> ChartCall::work() {
+  const auto wanted = chart_wanted(task_);
+  if (!wanted) return wanted.error();
+  task_.options.stop = [this] { return background().should_stop(); };
+  const auto tables =
+      chart::measure(*wanted, task_.options,
+                     [this](std::string_view part, double done) { note(to_event(part, done)); });
+  if (!tables) return tables.error();
+  for (const chart::Table& table : *tables) background().access().items += table.rows.size();
+  v1::ChartResponse response;
+  *response.mutable_result() = to_wire(*tables, chart::this_machine());
+  return wire::to_buffer(response);
+}
+
+}  // namespace gonio

@@ -1,0 +1,71 @@
+#include "server/calls/fit_call.h"
+
+#include <utility>
+
+#include "server/messages/fit_messages.h"
+#include "wire/message.h"
+
+namespace gonio {
+namespace {
+
+// The core knows the fields of the form, not what a request calls it.
+Error within_request(Error error) {
+  const bool of_form =
+      error.code == ErrorCode::invalid_argument || error.code == ErrorCode::not_found;
+  const bool of_data = error.field == "values";
+  if (!of_form || of_data || error.field.rfind("options.", 0) == 0) return error;
+  if (error.field == "material") error.field.clear();
+  const std::string field = error.field.empty() ? "form" : "form." + error.field;
+  if (!error.field.empty() && error.message.rfind(error.field, 0) == 0)
+    error.message.replace(0, error.field.size(), field);
+  error.field = field;
+  return error;
+}
+
+grpc::ByteBuffer to_event(v1::FitProgress progress) {
+  v1::FitResponse response;
+  *response.mutable_progress() = std::move(progress);
+  return wire::to_buffer(response);
+}
+
+grpc::ByteBuffer at_stage(const char* stage) {
+  v1::FitProgress progress;
+  progress.set_stage(stage);
+  return to_event(std::move(progress));
+}
+
+}  // namespace
+
+FitCall::FitCall(const Backend& backend, grpc::CallbackServerContext& context)
+    : ProgressCall(backend, context, "Fit", "the fit") {
+  note(at_stage("queued"));
+}
+
+Result<std::size_t> FitCall::prepare(const grpc::ByteBuffer& buffer) {
+  auto request = decode_fit_request(buffer);
+  if (!request) return request.error();
+  request_ = std::move(*request);
+  auto task = fit_task(request_, background().backend().materials);
+  if (!task) return task.error();
+  task_ = std::move(*task);
+  return task_.bytes;
+}
+
+Result<grpc::ByteBuffer> FitCall::work() {
+  note(at_stage("data"));
+  const auto data = fit_data(request_, task_);
+  if (!data) return data.error();
+  request_.Clear();
+  background().access().items = data->size();
+  fit::Watch watch;
+  watch.progress = [this](const fit::Progress& progress) { note(to_event(to_wire(progress))); };
+  watch.stop = [this] { return background().should_stop(); };
+  const auto result = fit::fit(*data, task_.form, task_.options, watch);
+  if (!result) return within_request(result.error());
+  background().access().kernel_seconds = result->certificate.cpu_seconds;
+  v1::FitResponse response;
+  *response.mutable_result() = to_wire(*result);
+  return wire::to_buffer(response);
+}
+
+}  // namespace gonio

@@ -1,0 +1,60 @@
+#include "server/calls/select_call.h"
+
+#include <utility>
+
+#include "server/messages/select_messages.h"
+#include "wire/message.h"
+
+namespace gonio {
+namespace {
+
+grpc::ByteBuffer to_event(const char* stage, const std::string& candidate = {},
+                          std::size_t done = 0, std::size_t of = 0) {
+  v1::SelectResponse response;
+  v1::SelectProgress& progress = *response.mutable_progress();
+  progress.set_stage(stage);
+  progress.set_candidate(candidate);
+  progress.set_done(done);
+  progress.set_candidates(of);
+  return wire::to_buffer(response);
+}
+
+}  // namespace
+
+SelectCall::SelectCall(const Backend& backend, grpc::CallbackServerContext& context)
+    : ProgressCall(backend, context, "Select", "the selection") {
+  note(to_event("queued"));
+}
+
+Result<std::size_t> SelectCall::prepare(const grpc::ByteBuffer& buffer) {
+  auto request = decode_select_request(buffer);
+  if (!request) return request.error();
+  auto task = select_task(std::move(*request), background().backend().materials);
+  if (!task) return task.error();
+  task_ = std::move(*task);
+  return task_.bytes;
+}
+
+Result<select::Selection> SelectCall::choose() {
+  select::Options& options = task_.options;
+  options.progress = [this](const std::string& name, std::size_t done, std::size_t of) {
+    note(to_event("candidates", name, done, of));
+  };
+  options.stop = [this] { return background().should_stop(); };
+  if (task_.material) return select::choose(task_.material->material(), task_.scene, options);
+  const auto data = select_data(task_);
+  if (!data) return data.error();
+  background().access().items = data->size();
+  return select::choose(*data, task_.scene, options);
+}
+
+Result<grpc::ByteBuffer> SelectCall::work() {
+  note(to_event("reference"));
+  const auto selection = choose();
+  if (!selection) return selection.error();
+  v1::SelectResponse response;
+  *response.mutable_result() = to_wire(*selection);
+  return wire::to_buffer(response);
+}
+
+}  // namespace gonio

@@ -1,0 +1,13 @@
+// From what a certificate found to the one word that says how far to trust a fit.
+#pragma once
+
+#include "fit/form.h"
+#include "fit/report/certificate.h"
+
+namespace gonio::fit {
+
+// Sets verdict and reason; all else is there already.
+void judge(const Form& form, std::span<const double> parameters, const Data& fitted,
+           Certificate& report);
+
+}  // namespace gonio::fit
