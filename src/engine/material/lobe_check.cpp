@@ -148,7 +148,7 @@ Result<std::vector<double>> numbers_of(const NamedLobe& lobe, const ModelDescrip
 
 Outcome check_parameter(const NamedLobe& lobe, const Parameter& p, CheckedLobe& checked,
                         ChannelCount& channels) {
-  if (p.kind == Kind::word) return check_choice(lobe, p, checked);
+  if (p.type == ParameterType::word) return check_choice(lobe, p, checked);
   const ParameterValue* given = find(*lobe.spec, p.name);
   if (given == nullptr) return checked.values.set(p.name, {p.start}), Ok{};
   Result<std::vector<double>> numbers = numbers_of(lobe, *checked.model, p, *given, channels);
@@ -163,7 +163,7 @@ std::string_view word_of(const CheckedLobe& lobe, std::string_view name) {
   std::size_t kind = lobe.kind;
   const auto& parameters = lobe.model->parameters;
   for (std::size_t i = parameters.size(); i-- > 0;) {
-    if (parameters[i].kind != Kind::word) continue;
+    if (parameters[i].type != ParameterType::word) continue;
     const std::size_t words = parameters[i].words.size();
     if (parameters[i].name == name) return parameters[i].words[kind % words];
     kind /= words;

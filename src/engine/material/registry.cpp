@@ -21,7 +21,7 @@ constexpr std::array kMeasuredParameters{
               .meaning = "between the centres of the neighbouring valid cells, or the cell that "
                          "holds the directions",
               .unit = "1",
-              .kind = Kind::word,
+              .type = ParameterType::word,
               .words = kInterpolations}};
 constexpr ModelDescription kMeasured{
     .name = "measured",
