@@ -19,7 +19,7 @@
 namespace gonio {
 
 struct BlinnPhong {
-  static constexpr std::array kParameters{cosine_power::kExponent, fresnel::kKind, fresnel::kF0,
+  static constexpr std::array kParameters{cosine_power::kExponent, fresnel::kTerm, fresnel::kF0,
                                           fresnel::kEta,           fresnel::kK,    kScale};
   static constexpr ModelDescription kDescription{
       .name = "blinn_phong",

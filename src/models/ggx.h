@@ -24,7 +24,7 @@ namespace gonio {
 
 struct Ggx {
   static constexpr std::array kParameters{
-      roughness::kAlphaX, roughness::kAlphaY, fresnel::kKind, fresnel::kF0,
+      roughness::kAlphaX, roughness::kAlphaY, fresnel::kTerm, fresnel::kF0,
       fresnel::kEta,      fresnel::kK,        kScale};
   static constexpr ModelDescription kDescription{
       .name = "ggx",

@@ -21,7 +21,7 @@ struct Lambertian {
                                                     .lower = 0,
                                                     .upper = 1,
                                                     .start = 0.5,
-                                                    .kind = Kind::colour}};
+                                                    .type = ParameterType::colour}};
   static constexpr ModelDescription kDescription{.name = "lambertian",
                                                  .summary = "ideal diffuse reflection",
                                                  .source = "Lambert 1760, Photometria",

@@ -31,6 +31,7 @@ namespace gonio {
 
 struct OrenNayar {
   static constexpr std::array<std::string_view, 2> kForms{"full", "short"};
+  static constexpr std::array<std::string_view, 1> kFull{"full"};
   static constexpr std::array kParameters{
       Parameter{.name = "rd",
                 .meaning = "diffuse albedo of a facet",
@@ -38,7 +39,9 @@ struct OrenNayar {
                 .lower = 0,
                 .upper = 1,
                 .start = 0.5,
-                .kind = Kind::colour},
+                .type = ParameterType::colour,
+                .dependence = Dependence::quadratic,
+                .dependence_with = {"form", kFull}},
       Parameter{.name = "sigma",
                 .meaning = "standard deviation of the facets' slope angle",
                 .unit = "rad",
@@ -48,7 +51,7 @@ struct OrenNayar {
       Parameter{.name = "form",
                 .meaning = "with light that two facets reflect in turn, or without",
                 .unit = "1",
-                .kind = Kind::word,
+                .type = ParameterType::word,
                 .words = kForms}};
   static constexpr std::string_view kNote =
       "full form, where it crosses 0: four roundings of rd and sigma";

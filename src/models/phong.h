@@ -17,7 +17,7 @@
 namespace gonio {
 
 struct Phong {
-  static constexpr std::array kParameters{cosine_power::kExponent, fresnel::kKind, fresnel::kF0,
+  static constexpr std::array kParameters{cosine_power::kExponent, fresnel::kTerm, fresnel::kF0,
                                           fresnel::kEta,           fresnel::kK,    kScale};
   static constexpr ModelDescription kDescription{
       .name = "phong",

@@ -26,7 +26,7 @@ struct PhongMix {
                                   .upper = 1,
                                   .start = 0.5};
   static constexpr std::array kParameters{
-      cosine_power::kExponent, kMix,        fresnel::kKind, fresnel::kF0,
+      cosine_power::kExponent, kMix,        fresnel::kTerm, fresnel::kF0,
       fresnel::kEta,           fresnel::kK, kScale};
   static constexpr ModelDescription kDescription{
       .name = "phong_mix",

@@ -25,7 +25,7 @@ struct Ward {
                                                     .lower = 0,
                                                     .upper = 1,
                                                     .start = 0.5,
-                                                    .kind = Kind::colour},
+                                                    .type = ParameterType::colour},
                                           roughness::kAlphaX, roughness::kAlphaY, kScale};
   static constexpr ModelDescription kDescription{
       .name = "ward",

@@ -18,7 +18,8 @@ inline constexpr Parameter kScale{.name = "scale",
                                   .lower = 0,
                                   .upper = 1e6,
                                   .start = 1,
-                                  .kind = Kind::colour};
+                                  .type = ParameterType::colour,
+                                  .quantity = Quantity::amplitude};
 
 template <class Model, class Fresnel>
 struct Lobe {

@@ -22,7 +22,7 @@ inline std::string_view word_of(const CheckedLobe& lobe, std::string_view name) 
   std::size_t kind = lobe.kind;
   const auto& parameters = lobe.model->parameters;
   for (std::size_t i = parameters.size(); i-- > 0;) {
-    if (parameters[i].kind != Kind::word) continue;
+    if (parameters[i].type != ParameterType::word) continue;
     const std::size_t words = parameters[i].words.size();
     if (parameters[i].name == name) return parameters[i].words[kind % words];
     kind /= words;

@@ -28,7 +28,7 @@ Result<Choice> find_parameter(const CheckedMaterial& material, std::string_view 
   std::vector<std::string> known;
   for (std::size_t i = 0; i < material.lobes.size(); ++i) {
     for (const Parameter& p : material.lobes[i].model->parameters) {
-      if (p.kind == Kind::word) continue;
+      if (p.type == ParameterType::word) continue;
       const std::string field = field_of(material.named[i], p);
       if (field == by) return Choice{{i}, p.name};
       known.push_back(field);

@@ -148,7 +148,7 @@ Result<std::vector<double>> numbers_of(const NamedLobe& lobe, const ModelDescrip
 
 Outcome check_parameter(const NamedLobe& lobe, const Parameter& p, CheckedLobe& checked,
                         ChannelCount& channels) {
-  if (p.kind == Kind::word) return check_choice(lobe, p, checked);
+  if (p.type == ParameterType::word) return check_choice(lobe, p, checked);
   const ParameterValue* given = find(*lobe.spec, p.name);
   if (given == nullptr) return checked.values.set(p.name, {p.start}), Ok{};
   Result<std::vector<double>> numbers = numbers_of(lobe, *checked.model, p, *given, channels);

@@ -30,7 +30,7 @@ constexpr std::array kParameters{
               .meaning = "between the centres of the neighbouring valid cells, or the cell that "
                          "holds the directions",
               .unit = "1",
-              .kind = Kind::word,
+              .type = ParameterType::word,
               .words = kInterpolations}};
 constexpr ModelDescription kDescription{
     .name = "measured",
