@@ -21,6 +21,7 @@ CODE = re.compile(r"`([^`\n]+)`")
 TOP = r"(?:src|proto|server|client|tests|docker|\.ci)/"
 TOP_PATH = re.compile(r"(?<![\w./$-])" + TOP + r"[\w./*{},-]*[\w/*}]")
 SOURCE = re.compile(r"(?<![\w./$-])[\w./*{},-]+\.(?:h|cpp|cmake|sh|py|proto|md)(?![\w/])")
+OWN_TEST = "paths_test.py"  # its strings name what is missing
 PROGRAM = re.compile(r"(?<![\w./-])build/bin/(\w+)")
 COMMENT = re.compile(r"(?:^|\s)(?://|#)\s(.*)$")
 STANDS_FOR = re.compile(r"(?<![a-z])(?!README)[A-Z]{3,}(?![a-z])")
@@ -99,7 +100,7 @@ def main():
         if path.suffix == ".md":
             missing = [*missing_links(tree, path, text), *missing_paths(tree, path, text)]
         else:
-            missing = missing_in_comments(tree, text)
+            missing = [] if path.name == OWN_TEST else missing_in_comments(tree, text)
         problems += [f"{path}: {name}" for name in missing]
     print("\n".join([f"not there: {problem}" for problem in problems] + [f"{len(tree.texts)} files, {len(problems)} names missing"]))
     sys.exit(1 if problems or not tree.texts else 0)
