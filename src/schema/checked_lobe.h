@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "gonio/models/description.h"
@@ -15,6 +16,7 @@ struct CheckedLobe {
   // fastest.
   std::size_t kind;
   ParameterValues<double> values;  // of the model's table, and the material's rotation
+  std::string file = {};           // what its parameter of the type file says
 };
 
 // The word of the parameter `name`, as the lobe's kind has it; empty if the model has no such word.
