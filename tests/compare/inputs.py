@@ -1,5 +1,6 @@
 """Files that the compared commands read: pairs, measurements, scenes, tables. Both builds get the same ones."""
 
+import itertools
 import json
 import math
 import os
@@ -51,11 +52,11 @@ def write_csv(path, columns, rows):
 
 
 def costs(models):
-    """Nanoseconds of each part, so that a choice does not depend on a measured time."""
+    """Nanoseconds of each part, so that a choice does not depend on a measured time: of models, with any of their words."""
     names = []
     for model in models:
-        words = next((p["words"] for p in model["parameters"] if p["name"] == "fresnel"), None)
-        names += [f"{model['name']}:{word}" for word in words] if words else [model["name"]]
+        words = [["", *(":" + word for word in p["words"])] for p in model["parameters"] if p["words"]]
+        names += [model["name"] + "".join(choice) for choice in itertools.product(*words)]
     return {name: round(1 + 0.37 * at, 2) for at, name in enumerate(sorted(names))}
 
 

@@ -41,16 +41,18 @@ def csv_text(text):
     return out.getvalue()
 
 
-def table_cells(text):
-    """Markdown tables without the cells below "CPU s"."""
-    lines, at = [], []
+def without_cpu_seconds(text):
+    """Tables, in Markdown or aligned by spaces, without what stands below "CPU s", their last column."""
+    lines, cells, width = [], None, None
     for line in text.splitlines():
-        cells = line.split("|")
         if "CPU s" in line:
-            at = [i for i, cell in enumerate(cells) if cell.strip() == "CPU s"]
-        elif not line.startswith("|"):
-            at = []
-        lines.append("|".join("*" if i in at and i < len(cells) else cell for i, cell in enumerate(cells)))
+            cells = line.split("|").index(" CPU s ") if line.startswith("|") else None
+            width = None if cells else line.index("CPU s")
+        elif not line.strip():
+            cells = width = None
+        elif cells:
+            line = "|".join(line.split("|")[:cells])
+        lines.append(line[:width])
     return "\n".join(lines)
 
 
@@ -69,5 +71,5 @@ def masked(name, content, folder, charts):
     elif charts and suffix == ".json":
         text = chart_json(text)
     elif suffix in ("", ".md", ".txt", ".json"):
-        text = SECONDS.sub("*", table_cells(SECONDS_KEY.sub(r"\1: *", text)))
+        text = SECONDS.sub("*", without_cpu_seconds(SECONDS_KEY.sub(r"\1: *", text)))
     return text.encode()
