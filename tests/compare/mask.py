@@ -30,8 +30,7 @@ def chart_json(text):
     chart = json.loads(text)
     chart.pop("effort", None)
     for table in chart["tables"]:
-        names = [column["name"] for column in table["columns"]]
-        table["rows"] = without_columns([names, *table["rows"]])
+        table["rows"] = [{name: cell for name, cell in row.items() if not TIMED.fullmatch(name)} for row in table["rows"]]
     return json.dumps(chart, indent=1)
 
 
