@@ -42,7 +42,7 @@ TEST_F(ToyCommand, Models) {
 
 TEST_F(ToyCommand, SampleAndAlbedo) {
   EXPECT_THAT(out_of("sample -m toy.json --wi 0.6,0,0.8 --count 100"), HasSubstr("pdf"));
-  out_of("albedo -m toy.json");
+  out_of("albedo -m toy.json --theta 30");
 }
 
 TEST_F(ToyCommand, Assess) {
