@@ -49,9 +49,12 @@ Result<std::size_t> check_word(const std::string& field, const Parameter& p,
   return static_cast<std::size_t>(found - p.words.begin());
 }
 
+bool has_word(const UsedWith& with, std::string_view word) {
+  return std::find(with.words.begin(), with.words.end(), word) != with.words.end();
+}
+
 bool usable_with(const Parameter& number, std::string_view word) {
-  const auto& words = number.used_with.words;
-  return std::find(words.begin(), words.end(), word) != words.end();
+  return has_word(number.used_with, word);
 }
 
 // The given numbers that have a meaning only with some words of `choice`.
@@ -169,6 +172,17 @@ std::string_view word_of(const CheckedLobe& lobe, std::string_view name) {
     kind /= words;
   }
   return {};
+}
+
+bool is_used(const CheckedLobe& lobe, const UsedWith& with) {
+  return with.parameter.empty() || has_word(with, word_of(lobe, with.parameter));
+}
+
+const Parameter* find_used(const CheckedLobe& lobe, Quantity quantity) {
+  for (const Parameter& p : lobe.model->parameters) {
+    if (quantity_of(p, lobe.model->role) == quantity && is_used(lobe, p.used_with)) return &p;
+  }
+  return nullptr;
 }
 
 Result<CheckedLobe> check_lobe(const NamedLobe& lobe, ChannelCount& channels) {

@@ -28,6 +28,12 @@ struct CheckedLobe {
 // The word of the parameter `name`, as its kind has it; empty if the model has no such word.
 std::string_view word_of(const CheckedLobe& lobe, std::string_view name);
 
+// Whether what is used with some words has a meaning with the lobe's.
+bool is_used(const CheckedLobe& lobe, const UsedWith& with);
+
+// The first parameter of a quantity that is used with the lobe's words; null if there is none.
+const Parameter* find_used(const CheckedLobe& lobe, Quantity quantity);
+
 Result<CheckedLobe> check_lobe(const NamedLobe& lobe, ChannelCount& channels);
 
 }  // namespace gonio
