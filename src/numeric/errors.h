@@ -1,6 +1,7 @@
-// The errors of the functions of numeric/, at most: relative ones, but for angles and their sines
-// and cosines. tests/numeric/proofs prove each for every instruction set and hold it to its proof,
-// rounded up to three digits; the tests find more than half of each. Nothing else states them.
+// Upper bounds of the errors of the functions of numeric/. They are relative, except for angles and
+// their sines and cosines. tests/numeric/proofs proves each for every instruction set and compares
+// it with its proof, rounded up to three digits; tests find errors of more than half of each. No
+// other file states them.
 #pragma once
 
 namespace gonio::errors {

@@ -1,4 +1,5 @@
-// The integers behind random numbers, a run at a time; engine/random_numbers.h says which.
+// The integers from which random numbers are made, a run at a time; engine/random_numbers.h says
+// which.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +9,7 @@
 
 namespace gonio::GONIO_ISA {
 
-// A run's length at most.
+// The largest length of a run.
 inline constexpr std::size_t kNumbersAtOnce = 64;
 struct NumberRun {
   std::uint32_t word[3][kNumbersAtOnce];

@@ -37,7 +37,8 @@ class List {
  public:
   List(const Scene& scene, int channels) : scene_(scene), channels_(channels) {}
 
-  // Both with its pairs of numbers held equal and, if it has such pairs, not.
+  // One candidate with the pairs of numbers held equal and, if the model has such pairs, one with
+  // both free.
   void add(const std::string& name, std::vector<std::string> parts, const MaterialSpec& form) {
     const std::size_t equal = count(form, false), apart = count(form, true);
     all_.push_back({name, parts, form, false, equal});
