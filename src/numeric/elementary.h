@@ -46,9 +46,8 @@ GONIO_INLINE Double<E> exact_dot(const Vec3<Double<E>>& a, const Vec3<Double<E>>
 }
 
 // (w/s) log2(1 + s/c), given a = s + c, for s >= 0, c >= 0 (quick: c > 1e-150, as of float32
-// cosines) and w = 0 where s = 0. The relative error is kQuickWeightedLog2Error; exact,
-// kExactWeightedLog2Error for s above 1e-100, where the square of s has all its digits (below,
-// results go towards 0).
+// cosines) and w = 0 where s = 0. Errors are kQuickWeightedLog2Error, and kExactWeightedLog2Error
+// for s above 1e-100 (below, s^2 loses digits and results go to 0).
 //
 // With k near log2(a/c) it is k plus the series of 2 artanh(z) / log 2, z = (a - c 2^k) /
 // (a + c 2^k), |z| < .201. The numerator is formed as s - c (2^k - 1): for k = 0 it is s itself,
@@ -94,14 +93,12 @@ GONIO_INLINE QuickPower quick_exp2(Double<Exactness::quick> x) {
   split_exponent(x, k, m);
   return {polynomial(m, kExp2), k};
 }
-// amplitude * 2^x for amplitude < 2^127. The relative error is kTimesExp2Error where the result is
-// normal.
+// amplitude * 2^x for amplitude < 2^127, to kTimesExp2Error where the result is normal.
 GONIO_INLINE Float times_exp2(Float amplitude, QuickPower power) {
   return scale(amplitude * power.number, power.exponent);
 }
 
-// amplitude * 2^x in float64, for x <= 0, with relative error kExactTimesExp2Error; 0 for x below
-// -1000.
+// amplitude * 2^x in float64, for x <= 0, to kExactTimesExp2Error; 0 for x below -1000.
 GONIO_INLINE Double<Exactness::exact> times_exp2(Double<Exactness::exact> amplitude,
                                                  Double<Exactness::exact> x) {
   using D = Double<Exactness::exact>;

@@ -1,7 +1,6 @@
-// Upper bounds of the errors of the functions of numeric/. They are relative, except for angles and
-// their sines and cosines. tests/numeric/proofs proves each for every instruction set and compares
-// it with its proof, rounded up to three digits; tests find errors of more than half of each. No
-// other file states them.
+// Error bounds of the functions of numeric/, stated only here; relative, but for angles and their
+// sines and cosines. tests/numeric/proofs proves each on every instruction set, and checks that it
+// is the proved one rounded up to three digits; the tests find errors of more than half of each.
 #pragma once
 
 namespace gonio::errors {

@@ -1,5 +1,4 @@
-// The integers from which random numbers are made, a run at a time; engine/random_numbers.h says
-// which.
+// The integers of random numbers (engine/random_numbers.h says which), a run at a time.
 #pragma once
 
 #include <cstddef>

@@ -48,8 +48,7 @@ struct Float {
   friend GONIO_INLINE Mask operator<(Float a, Float b) { return {raw::less(a.v, b.v)}; }
   friend GONIO_INLINE Float min(Float a, Float b) { return Float(raw::min(a.v, b.v)); }
   friend GONIO_INLINE Float max(Float a, Float b) { return Float(raw::max(a.v, b.v)); }
-  // a b + c d. Written so that the compiler cannot choose which product to round first, which would
-  // not be the same everywhere.
+  // a b + c d. The compiler's own choice of the product to round first would differ between places.
   friend GONIO_INLINE Float sum_of_products(Float a, Float b, Float c, Float d) {
     return Float(raw::multiply_add(a.v, b.v, c.v * d.v));
   }
