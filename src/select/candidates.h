@@ -1,8 +1,8 @@
 // The materials that a selection tries: every model of the registry that can be fitted, in every
 // combination of its words, alone, over the plainest diffuse model and, where a lobe has one shape,
 // as two lobes over that; anisotropic models once with their two numbers held equal and once with
-// both free. The fit turns the axes of the latter to those of the reference. The cost is that of the
-// unturned kernels; a turned material costs a twentieth to a fifth more.
+// both free. The fit turns the axes of the latter to those of the reference. The cost is that of
+// the unturned kernels; a turned material costs a twentieth to a fifth more.
 #pragma once
 
 #include <string>
