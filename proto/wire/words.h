@@ -1,5 +1,5 @@
-// Enums of the wire that have another's words in the same order, after one for the default. Thread
-// safety: functions without state.
+// Enums of the wire that have the words of an enum of the core in the same order, after one for the
+// default. Thread safety: functions without state.
 #pragma once
 
 #include <initializer_list>
@@ -12,7 +12,7 @@ constexpr Wire word_of(Own own) {
   return static_cast<Wire>(static_cast<int>(own) + 1);
 }
 
-// Whether that is so of these words, and they are all that the wire has: for static_assert.
+// Whether the wire's enum has exactly these words, for static_assert.
 template <class Own, class Wire>
 constexpr bool same_words(std::initializer_list<std::pair<Own, Wire>> words, Wire last) {
   for (const auto& [own, wire] : words) {

@@ -1,5 +1,5 @@
-// What a chart holds: tables of choices, a row each, with what they cost and how far they are off.
-// JSON, CSV and drawings are made of these. Thread safety: plain values.
+// The tables of a chart: a row for each choice, with its cost and its error. JSON, CSV and drawings
+// are made from them. Thread safety: plain values.
 #pragma once
 
 #include <string>
@@ -36,7 +36,7 @@ struct Table {
 // "repetitions".
 void add_time_columns(Table& table, const std::string& name, const std::string& unit,
                       const std::string& of_what);
-// Their cells.
+// The cells of these columns.
 void add_time_cells(std::vector<Cell>& row, const timing::Spread& spread);
 
 // A last column "front": whether a row is on the front of two columns, among the rows that have the

@@ -10,7 +10,7 @@ namespace gonio::select {
 namespace {
 
 constexpr double kFrontConfidence = 0.99;
-constexpr double kShare = 0.01;  // of the tolerance: what does not matter to a scene
+constexpr double kShare = 0.01;  // of the tolerance: a difference that does not matter to a scene
 
 std::string number(double x, int digits = 3) {
   char text[32];
@@ -55,7 +55,7 @@ void Walk::place_on_front(Tried& tried) {
   best_name_ = entry.name;
 }
 
-// The material of the fewest digits that err no more, by the second set.
+// The material rounded to the fewest digits that do not increase its error on the second set.
 Choice Walk::rounded_choice(const Tried& tried, std::size_t index) const {
   Choice choice;
   choice.entry = index;
@@ -101,7 +101,7 @@ void Walk::take(Tried tried) {
   entry.meets = entry.error.upper < scene_.tolerance;
   place_on_front(tried);
   if (!has_choice()) {
-    // An anisotropy that is not seen is not chosen because chance favours it.
+    // An anisotropic candidate that errs less only by chance is not chosen.
     if (entry.meets && (entry.on_front || !tried.anisotropic)) certify(tried, index);
     if (!has_choice()) {
       if (entry.remark.empty()) entry.remark = "misses the tolerance";
