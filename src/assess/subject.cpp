@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "engine/material/material_impl.h"
+#include "schema/used_parameters.h"
 
 namespace gonio::assess {
 namespace {
@@ -69,8 +70,8 @@ Drawn draw(const Sampler& sampler, const std::array<double, 3>& wi, std::size_t 
 
 std::vector<double> rarer_than_outside(const Material& material) {
   std::vector<double> indices;
-  for (const MaterialPart& part : material.impl().parts) {
-    if (part.lobe == nullptr || find_used(*part.lobe, Quantity::extinction) != nullptr) continue;
+  for (const Part& part : material.impl().parts) {
+    if (find_used(*part.lobe, Quantity::extinction) != nullptr) continue;
     const Parameter* index = find_used(*part.lobe, Quantity::refractive_index);
     if (index == nullptr) continue;
     for (const double eta : part.lobe->values.all().find(index->name)->second) {
@@ -103,7 +104,7 @@ Subject subject_of(const Sampler& sampler, Isa isa) {
           },
       .tangents = material.impl().rotation * (std::numbers::pi / 180),
       .rarer = rarer_than_outside(material),
-      .table = material.impl().table,
+      .table = table_of(material),
       .truth = Truth(material),
       .roundings = Truth::of_roundings(material, kStep),
       .naive32 = NaiveMaterial<float>::of(material),

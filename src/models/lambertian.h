@@ -67,9 +67,8 @@ struct Lambertian {
     return {};
   }
   template <class N>
-  static GONIO_INLINE typename N::Real value(const Terms<N>&,
-                                             const Channel<typename N::WideScalar>&,
-                                             const Channel<typename N::RealScalar>& c) {
+  static GONIO_INLINE typename N::Real eval(const Terms<N>&, const Channel<typename N::WideScalar>&,
+                                            const Channel<typename N::RealScalar>& c) {
     return typename N::Real(c.value);
   }
 };

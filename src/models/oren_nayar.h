@@ -19,6 +19,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "gonio/models/description.h"
@@ -134,9 +135,9 @@ struct OrenNayar::Short : OrenNayar {
     return {N::real(Wide(k.c1) + Wide(k.c2) * (max(s.across, Wide(0)) / most))};
   }
   template <class N>
-  static GONIO_INLINE typename N::Real value(const Terms<N>& t,
-                                             const Channel<typename N::WideScalar>&,
-                                             const Channel<typename N::RealScalar>& c) {
+  static GONIO_INLINE typename N::Real eval(const Terms<N>& t,
+                                            const Channel<typename N::WideScalar>&,
+                                            const Channel<typename N::RealScalar>& c) {
     return typename N::Real(c.once) * t.once;
   }
 };
@@ -176,9 +177,9 @@ struct OrenNayar::Full : OrenNayar {
             N::real(Wide(1) - cos_phi * (vb * vb))};
   }
   template <class N>
-  static GONIO_INLINE typename N::Real value(const Terms<N>& t,
-                                             const Channel<typename N::WideScalar>&,
-                                             const Channel<typename N::RealScalar>& c) {
+  static GONIO_INLINE typename N::Real eval(const Terms<N>& t,
+                                            const Channel<typename N::WideScalar>&,
+                                            const Channel<typename N::RealScalar>& c) {
     using Real = typename N::Real;
     return max(Real(0), sum_of_products(Real(c.once), t.once, Real(c.twice), t.twice));
   }

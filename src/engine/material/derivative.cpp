@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/near_names.h"
-#include "engine/kernels/prepare.h"
 #include "engine/material/material_impl.h"
+#include "engine/material/registry.h"
 
 namespace gonio {
 namespace {
@@ -49,12 +49,7 @@ Result<MaterialDerivative> MaterialDerivative::create(const MaterialSpec& spec,
   auto impl = std::make_shared<Material::Impl>();
   impl->channels = checked->channels;
   for (const std::size_t i : choice->lobes) {
-    const CheckedLobe& lobe = checked->lobes[i];
-    PreparedLobe prepared = prepare_derivative(*lobe.model, lobe.kind, lobe.values,
-                                               checked->channels, choice->parameter);
-    impl->parts.push_back(
-        {MaterialPart::Source::derivative, prepared.kernel, std::move(prepared.constants)});
-    impl->bytes += prepared.bytes;
+    impl->add(make_derivative(checked->lobes[i], checked->channels, choice->parameter));
   }
   return MaterialDerivative(Material(std::move(impl)));
 }

@@ -4,6 +4,7 @@
 
 #include "base/near_names.h"
 #include "gonio/engine/registry.h"
+#include "schema/used_parameters.h"
 
 namespace gonio {
 namespace {
@@ -47,10 +48,6 @@ Result<std::size_t> check_word(const std::string& field, const Parameter& p,
   const auto found = std::find(p.words.begin(), p.words.end(), *word);
   if (found == p.words.end()) return unknown_word(field, *word, p.words);
   return static_cast<std::size_t>(found - p.words.begin());
-}
-
-bool has_word(const UsedWith& with, std::string_view word) {
-  return std::find(with.words.begin(), with.words.end(), word) != with.words.end();
 }
 
 bool usable_with(const Parameter& number, std::string_view word) {
@@ -161,29 +158,6 @@ Outcome check_parameter(const NamedLobe& lobe, const Parameter& p, CheckedLobe& 
 }
 
 }  // namespace
-
-std::string_view word_of(const CheckedLobe& lobe, std::string_view name) {
-  std::size_t kind = lobe.kind;
-  const auto& parameters = lobe.model->parameters;
-  for (std::size_t i = parameters.size(); i-- > 0;) {
-    if (parameters[i].type != ParameterType::word) continue;
-    const std::size_t words = parameters[i].words.size();
-    if (parameters[i].name == name) return parameters[i].words[kind % words];
-    kind /= words;
-  }
-  return {};
-}
-
-bool is_used(const CheckedLobe& lobe, const UsedWith& with) {
-  return with.parameter.empty() || has_word(with, word_of(lobe, with.parameter));
-}
-
-const Parameter* find_used(const CheckedLobe& lobe, Quantity quantity) {
-  for (const Parameter& p : lobe.model->parameters) {
-    if (quantity_of(p, lobe.model->role) == quantity && is_used(lobe, p.used_with)) return &p;
-  }
-  return nullptr;
-}
 
 Result<CheckedLobe> check_lobe(const NamedLobe& lobe, ChannelCount& channels) {
   Result<const ModelDescription*> model = find_model(lobe.spec->model);

@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "schema/used_parameters.h"
+
 namespace gonio::fit {
 namespace {
 
