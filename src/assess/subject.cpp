@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "engine/material/material_impl.h"
-#include "schema/used_parameters.h"
 
 namespace gonio::assess {
 namespace {

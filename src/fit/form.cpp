@@ -5,7 +5,6 @@
 
 #include "engine/material/material_impl.h"
 #include "fit/bounds/lobe_colours.h"
-#include "schema/used_parameters.h"
 
 namespace gonio::fit {
 namespace {

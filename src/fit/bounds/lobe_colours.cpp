@@ -3,7 +3,6 @@
 #include <string>
 #include <utility>
 
-#include "schema/used_parameters.h"
 
 namespace gonio::fit {
 namespace {
