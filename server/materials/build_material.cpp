@@ -8,7 +8,7 @@
 #include "base/near_names.h"
 #include "gonio/measured/table.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 using google::protobuf::Struct;
@@ -188,4 +188,4 @@ Result<Material> build_material(const v1::Material& material, std::string_view p
   return Material::create(*spec, prefix);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

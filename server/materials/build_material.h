@@ -10,7 +10,7 @@
 #include "gonio/engine/material.h"
 #include "gonio/v1/material.pb.h"
 
-namespace gonio {
+namespace gonio::server {
 
 // The model whose parameters name a file.
 inline constexpr std::string_view kMeasuredModel = "measured";
@@ -28,4 +28,4 @@ Result<Material> build_material(const v1::Material& material, std::string_view p
 // What a model or a sum says, unchecked but for its form. Errors as above.
 Result<MaterialSpec> material_spec(const v1::Material& material, std::string_view prefix);
 
-}  // namespace gonio
+}  // namespace gonio::server
