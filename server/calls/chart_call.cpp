@@ -4,7 +4,7 @@
 
 #include "wire/message.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 grpc::ByteBuffer to_event(std::string_view stage, double done) {
@@ -44,4 +44,4 @@ Result<grpc::ByteBuffer> ChartCall::work() {
   return wire::to_buffer(response);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -5,7 +5,7 @@
 #include "server/messages/fit_messages.h"
 #include "wire/message.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 // The core knows the fields of the form, not what a request calls it.
@@ -68,4 +68,4 @@ Result<grpc::ByteBuffer> FitCall::work() {
   return wire::to_buffer(response);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -5,7 +5,7 @@
 #include "server/messages/select_messages.h"
 #include "wire/message.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 grpc::ByteBuffer to_event(const char* stage, const std::string& candidate = {},
@@ -57,4 +57,4 @@ Result<grpc::ByteBuffer> SelectCall::work() {
   return wire::to_buffer(response);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -5,7 +5,7 @@
 #include "server/messages/decode_request.h"
 #include "wire/convert.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 void fill(const assess::Worst& from, v1::AssessWorst& to) {
@@ -108,4 +108,4 @@ v1::AssessResponse to_wire(const assess::Report& report) {
   return response;
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -7,7 +7,7 @@
 #include "server/materials/measured_pairs.h"
 #include "server/messages/decode_request.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 chart::Options options_of(const v1::ChartRequest& from) {
@@ -105,4 +105,4 @@ v1::ChartResult to_wire(const std::vector<chart::Table>& tables, const chart::Ma
   return result;
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

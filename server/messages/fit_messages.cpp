@@ -4,7 +4,7 @@
 
 #include "server/messages/material_message.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 v1::FitVerdict verdict_of(fit::Verdict verdict) {
@@ -162,4 +162,4 @@ v1::FitResult to_wire(const fit::FitResult& result) {
   return to;
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -4,9 +4,9 @@
 #include "fit/fit.h"
 #include "gonio/v1/fit.pb.h"
 
-namespace gonio {
+namespace gonio::server {
 
 v1::FitProgress to_wire(const fit::Progress& progress);
 v1::FitResult to_wire(const fit::FitResult& result);
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -5,8 +5,8 @@
 #include "gonio/engine/material.h"
 #include "gonio/v1/material.pb.h"
 
-namespace gonio {
+namespace gonio::server {
 
 v1::Material to_wire(const MaterialSpec& spec);
 
-}  // namespace gonio
+}  // namespace gonio::server

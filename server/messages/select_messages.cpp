@@ -2,7 +2,7 @@
 
 #include "server/messages/material_message.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 void fill(const select::Bounded& from, v1::SelectError& to) {
@@ -47,4 +47,4 @@ v1::SelectResult to_wire(const select::Selection& selection) {
   return result;
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

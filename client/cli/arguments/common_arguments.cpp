@@ -39,7 +39,7 @@ void add_material_option(CLI::App& command, std::string& material, const std::st
   command.add_option("--material,-m", material, what)
       ->type_name("M")
       ->required()
-      ->check(arguments::suggest(preset_names()));
+      ->check(arguments::suggest(server::preset_names()));
 }
 
 void add_material_options(CLI::App& command, CommonArguments& arguments) {

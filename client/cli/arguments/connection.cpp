@@ -47,14 +47,14 @@ Result<Connection> Connection::open(const ConnectionOptions& options) {
     if (!client) return std::move(client).error();
     return Connection{nullptr, std::move(client).value()};
   }
-  ServerOptions server_options;
+  server::ServerOptions server_options;
   server_options.threads = options.threads;
   server_options.allow_local_files = true;
   server_options.fits_give_way = false;
   // What there is to protect is this process's own: a fit may have as many pairs as a message can.
   server_options.max_message_bytes = std::size_t{1} << 30;
   server_options.memory_quota_bytes = std::size_t{8} << 30;
-  auto server = Server::start(server_options);
+  auto server = server::Server::start(server_options);
   if (!server) return std::move(server).error();
   auto client = client::Client::from_channel((*server)->in_process_channel(), "the embedded server",
                                              client_options);

@@ -27,7 +27,7 @@ void add_connection_options(CLI::App& command, ConnectionOptions& options);
 // A client and, where it is embedded, the very service that goniod runs, reached without a socket:
 // the code path is the same.
 struct Connection {
-  std::unique_ptr<Server> server;  // null for a remote one; outlives the client
+  std::unique_ptr<server::Server> server;  // null for a remote one; outlives the client
   client::Client client;
 
   static Result<Connection> open(const ConnectionOptions& options);

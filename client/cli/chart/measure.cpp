@@ -107,14 +107,14 @@ Outcome measure_there(const client::Client& client, const ChartArguments& argume
 // can be.
 Result<chart::Table> measure_wire(const ChartArguments& arguments) {
   ConnectionOptions connection = arguments.connection;
-  std::unique_ptr<Server> own;
+  std::unique_ptr<server::Server> own;
   if (connection.server.empty()) {
     const std::string name = "gonio-chart-" + std::to_string(::getpid());
     connection.server = "unix:" + (fs::temp_directory_path() / name).string();
-    ServerOptions options;
+    server::ServerOptions options;
     options.threads = connection.threads;
     options.addresses = {connection.server};
-    auto started = Server::start(options);
+    auto started = server::Server::start(options);
     if (!started) return started.error();
     own = std::move(*started);
   }

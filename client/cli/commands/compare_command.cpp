@@ -130,7 +130,7 @@ Command add_compare_command(CLI::App& app) {
                    "Materials: JSON or files, as for 'gonio evaluate'; one or more")
       ->type_name("M...")
       ->required()
-      ->check(arguments::suggest(preset_names()));
+      ->check(arguments::suggest(server::preset_names()));
   command->add_flag("--deg", arguments->degrees, "Angles of a CSV are in degrees");
   command->add_option("--slices", arguments->slices, "Where a picture of slices goes, a .png")
       ->type_name("OUT");

@@ -12,7 +12,7 @@
 namespace gonio::cli {
 namespace {
 
-Result<Compared> build(const Materials& materials, const std::string& argument) {
+Result<Compared> build(const server::Materials& materials, const std::string& argument) {
   auto material = read_material(argument, true);
   if (!material) return material.error();
   auto built = materials.resolve(material->wire());
@@ -20,7 +20,7 @@ Result<Compared> build(const Materials& materials, const std::string& argument) 
   return Compared{shown_name(argument), std::move(*material), built->material()};
 }
 
-Result<fit::Data> data_of(const MeasuredInput& input, const Materials& materials) {
+Result<fit::Data> data_of(const MeasuredInput& input, const server::Materials& materials) {
   if (input.measured) {
     const auto material = materials.resolve(input.measured->wire());
     if (!material) return material.error();
@@ -68,7 +68,7 @@ std::string shown_name(const std::string& argument) {
 
 Result<Comparison> read_comparison(const std::string& reference,
                                    const std::vector<std::string>& arguments, bool degrees) {
-  Materials materials;
+  server::Materials materials;
   materials.allow_local_files();
   auto input = read_measured(reference, true, degrees);
   if (!input) return input.error();
@@ -87,7 +87,7 @@ Result<Comparison> read_comparison(const std::string& reference,
 }
 
 Result<chart::Measured> read_chart_data(const std::string& file, bool degrees) {
-  Materials materials;
+  server::Materials materials;
   materials.allow_local_files();
   auto input = read_measured(file, true, degrees);
   if (!input) return input.error();
