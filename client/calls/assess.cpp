@@ -3,11 +3,11 @@
 
 #include "client/messages/convert.h"
 #include "client/messages/message_json.h"
-#include "client/messages/repeated.h"
 #include "client/rpc/check_answer.h"
 #include "client/rpc/state.h"
 #include "gonio/client/client.h"
 #include "gonio/v1/assess.pb.h"
+#include "wire/mapping/assessment.h"
 #include "wire/message.h"
 
 namespace gonio::client {
@@ -57,59 +57,12 @@ Result<v1::AssessRequest> request_of(const Material& material, const AssessOptio
   return request;
 }
 
-AssessWorst worst_of(const v1::AssessWorst& from) {
-  return {
-      from.error(), direction_of(from.wi()), direction_of(from.wo()), from.channel(), from.value(),
-      from.truth()};
-}
-
-AssessFindings findings_of(const v1::AssessFindings& from) {
-  return {from.nan(),   from.infinite(), from.negative(),
-          from.stray(), from.checked(),  worst_of(from.worst())};
-}
-
-AssessPlace place_of(const v1::AssessPlace& from) {
-  AssessPlace to;
-  to.name = from.name(), to.where = from.where(), to.failure = from.failure();
-  to.pairs = from.pairs();
-  to.fast = findings_of(from.fast());
-  to.reference = findings_of(from.reference());
-  if (from.has_naive_float32()) to.naive32 = findings_of(from.naive_float32());
-  if (from.has_naive_float64()) to.naive64 = findings_of(from.naive_float64());
-  to.reciprocity = worst_of(from.reciprocity());
-  return to;
-}
-
-AssessIncidence incidence_of(const v1::AssessIncidence& from) {
-  AssessIncidence to;
-  to.theta = from.theta(), to.phi = from.phi();
-  to.albedo = list<double>(from.albedo());
-  to.sampled = list<double>(from.sampled());
-  to.standard_error = list<double>(from.standard_error());
-  to.mass = from.mass(), to.lost = from.lost(), to.unsure = from.unsure();
-  to.probability = from.probability();
-  to.weight = worst_of(from.weight());
-  to.deviation = list<double>(from.deviation());
-  return to;
-}
-
-AssessCheck check_of(const v1::AssessCheck& from) {
-  return {from.name(), from.value(), from.limit(), from.passed(), from.where(), from.note()};
-}
-
 Result<Assessment> assessment_of(const v1::AssessResponse& response) {
   auto json = json_of(response);
   if (!json) return json.error();
   Assessment to;
-  to.passed = response.passed();
-  to.checks = all(response.checks(), check_of);
-  to.places = all(response.places(), place_of);
-  to.incidences = all(response.incidences(), incidence_of);
-  to.channels = static_cast<int>(response.channels());
-  to.fast = error_bound_of(response.fast());
-  to.reference = error_bound_of(response.reference());
+  if (auto read = wire::read<gonio::assess::Assessment>(response, to); !read) return read.error();
   to.instruction_set = instruction_set_of(response.instruction_set());
-  to.cpu_seconds = response.cpu_seconds();
   to.json = std::move(*json);
   return to;
 }

@@ -1,3 +1,5 @@
+#include "wire/mapping/chart.h"
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -42,20 +44,6 @@ Result<v1::ChartRequest> request_of(const ChartOptions& options) {
   return request;
 }
 
-ChartMachine machine_of(const v1::ChartMachine& from) {
-  return {from.processor(),
-          from.cores(),
-          {from.instruction_sets().begin(), from.instruction_sets().end()},
-          from.gonio(),
-          from.compiler(),
-          from.system()};
-}
-
-ChartCell cell_of(const v1::ChartCell& from) {
-  if (from.value_case() == v1::ChartCell::kWord) return from.word();
-  return from.number();
-}
-
 // Names become names of files.
 bool is_plain(const std::string& name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
@@ -64,34 +52,26 @@ bool is_plain(const std::string& name) {
 }
 
 // Errors: a name that is none, a row that is not as wide as its table, or has a word for a number.
-Result<ChartTable> table_of(const v1::ChartTable& from, const Peer& peer) {
-  ChartTable to{from.name(), from.title(), {}, {}};
-  if (!is_plain(to.name)) return malformed(peer, "a table's name is not of letters and digits");
-  for (const auto& column : from.columns())
-    to.columns.push_back({column.name(), column.unit(), column.meaning()});
-  for (const auto& row : from.rows()) {
-    if (row.cells_size() != from.columns_size())
+Outcome check(const ChartTable& table, const Peer& peer) {
+  if (!is_plain(table.name)) return malformed(peer, "a table's name is not of letters and digits");
+  for (const auto& row : table.rows) {
+    if (row.size() != table.columns.size())
       return malformed(peer, "a table's row is not as wide as its columns");
-    std::vector<ChartCell> cells;
-    for (const auto& cell : row.cells()) {
-      const bool word = cell.value_case() == v1::ChartCell::kWord;
-      if (word != to.columns[cells.size()].unit.empty())
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (std::holds_alternative<std::string>(row[i]) != table.columns[i].unit.empty())
         return malformed(peer, "a table has a word for a number, or a number for a word");
-      cells.push_back(cell_of(cell));
     }
-    to.rows.push_back(std::move(cells));
   }
-  return to;
+  return Ok{};
 }
 
 Result<Chart> chart_of(const v1::ChartResult& from, const Peer& peer) {
-  Chart to{machine_of(from.machine()), {}};
-  for (const auto& table : from.tables()) {
-    auto converted = table_of(table, peer);
-    if (!converted) return converted.error();
-    to.tables.push_back(std::move(*converted));
+  auto chart = wire::from_message<Chart>(from);
+  if (!chart) return chart.error();
+  for (const ChartTable& table : chart->tables) {
+    if (auto good = check(table, peer); !good) return good.error();
   }
-  return to;
+  return chart;
 }
 
 }  // namespace
@@ -105,7 +85,7 @@ Result<Chart> Client::chart(const ChartOptions& options, const ChartWatch& watch
     if (!wire::from_buffer(bytes, response)) return false;
     if (response.has_result()) result = std::move(*response.mutable_result());
     if (response.has_progress() && watch.progress)
-      watch.progress({response.progress().stage(), response.progress().done()});
+      watch.progress(wire::from_message<ChartProgress>(response.progress()).value());
     return result.has_value();
   };
   Patience patience(state_->options, options.deadline);
