@@ -1,48 +1,20 @@
-#include "wire/mapping/chart.h"
-
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "client/messages/fit_convert.h"
+#include "client/messages/chart_request.h"
 #include "client/rpc/check_answer.h"
 #include "client/rpc/progress_call.h"
 #include "client/rpc/state.h"
 #include "gonio/client/client.h"
 #include "gonio/v1/chart.pb.h"
+#include "wire/mapping/chart_table.h"
 #include "wire/message.h"
 
 namespace gonio::client {
 namespace {
 
 namespace v1 = gonio::v1;
-
-// 0 would mean the default on the wire.
-Outcome check(const ChartOptions& options) {
-  if (options.repetitions == 0) return bad_value("repetitions", "0", "1 to 1000");
-  if (options.seconds == 0) return bad_value("seconds", "0", "1e-6 to 0.1");
-  if (options.pairs_at_a_place == 0) return bad_value("pairs_at_a_place", "0", "1 to 20000");
-  if (options.seed == 0) return bad_value("seed", "0", "1 or more");
-  return Ok{};
-}
-
-Result<v1::ChartRequest> request_of(const ChartOptions& options) {
-  if (auto good = check(options); !good) return good.error();
-  v1::ChartRequest request;
-  for (const std::string& part : options.parts) request.add_parts(part);
-  request.set_repetitions(options.repetitions);
-  request.set_seconds(options.seconds);
-  request.set_pairs_at_a_place(options.pairs_at_a_place);
-  request.set_seed(options.seed);
-  if (!options.data) return request;
-  if (auto good = check_size(*options.data); !good) return good.error();
-  if (!options.data->measured) {
-    fill(*options.data, *request.mutable_pairs());
-  } else if (!request.mutable_measured()->ParseFromString(options.data->measured->wire())) {
-    return bad_value("data.measured", "not readable", "a material made by client::Material");
-  }
-  return request;
-}
 
 // Names become names of files.
 bool is_plain(const std::string& name) {
@@ -77,7 +49,7 @@ Result<Chart> chart_of(const v1::ChartResult& from, const Peer& peer) {
 }  // namespace
 
 Result<Chart> Client::chart(const ChartOptions& options, const ChartWatch& watch) const {
-  const auto request = request_of(options);
+  const auto request = chart_request(options);
   if (!request) return request.error();
   std::optional<v1::ChartResult> result;
   const auto take = [&](grpc::ByteBuffer& bytes) {

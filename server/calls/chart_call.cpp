@@ -2,8 +2,7 @@
 
 #include <utility>
 
-#include "chart/machine.h"
-#include "wire/mapping/chart.h"
+#include "wire/mapping/chart_table.h"
 #include "wire/message.h"
 
 namespace gonio {
@@ -41,7 +40,7 @@ Result<grpc::ByteBuffer> ChartCall::work() {
   if (!tables) return tables.error();
   for (const chart::Table& table : *tables) background().access().items += table.rows.size();
   v1::ChartResponse response;
-  *response.mutable_result() = to_wire({chart::this_machine(), std::move(*tables)});
+  *response.mutable_result() = to_wire(std::move(*tables), chart::this_machine());
   return wire::to_buffer(response);
 }
 

@@ -6,7 +6,7 @@
 
 #include "server/materials/measured_pairs.h"
 #include "server/messages/decode_request.h"
-#include "wire/mapping/chart.h"
+#include "wire/mapping/chart_table.h"
 
 namespace gonio {
 namespace {
@@ -70,6 +70,8 @@ Result<chart::Wanted> chart_wanted(ChartTask& task) {
   return wanted;
 }
 
-v1::ChartResult to_wire(const chart::Chart& chart) { return wire::to_message(chart); }
+v1::ChartResult to_wire(std::vector<chart::Table> tables, chart::Machine machine) {
+  return wire::to_message(chart::Chart{std::move(machine), std::move(tables)});
+}
 
 }  // namespace gonio

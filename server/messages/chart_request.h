@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "chart/machine.h"
 #include "chart/parts.h"
 #include "gonio/base/result.h"
 #include "gonio/v1/chart.pb.h"
@@ -33,6 +34,6 @@ Result<ChartTask> chart_task(v1::ChartRequest request, const Materials& material
 // What is measured; takes the pairs from the task. Errors: arrays whose lengths do not agree.
 Result<chart::Wanted> chart_wanted(ChartTask& task);
 
-v1::ChartResult to_wire(const chart::Chart& chart);
+v1::ChartResult to_wire(std::vector<chart::Table> tables, chart::Machine machine);
 
 }  // namespace gonio

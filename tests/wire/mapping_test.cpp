@@ -11,7 +11,7 @@
 #include "random_message.h"
 #include "wire/mapping/assessment.h"
 #include "wire/mapping/certificate.h"
-#include "wire/mapping/chart.h"
+#include "wire/mapping/chart_table.h"
 #include "wire/mapping/selection.h"
 
 namespace gonio::wire {

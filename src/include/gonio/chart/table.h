@@ -1,6 +1,7 @@
 // What a chart holds: tables of choices, a row each, with what they cost and how far they are off,
-// and the machine on which they were measured. The chart, the wire (proto/wire/mapping/chart.h) and
-// the client library use these structures. Thread safety: plain values.
+// and the machine on which they were measured. The chart, the wire
+// (proto/wire/mapping/chart_table.h) and the client library use these structures. Thread safety:
+// plain values.
 #pragma once
 
 #include <algorithm>
