@@ -5,7 +5,7 @@
 
 #include "assess/subject.h"
 #include "gonio/assess/report.h"
-#include "measured/table_review.h"
+#include "measured/merl/review.h"
 
 namespace gonio::assess {
 

@@ -28,7 +28,7 @@ EXTRA = [
 # (its mistakes there are for the sanitizers), and so does the look for parameters that could be references; and the kernels have
 # no paths to follow.
 ANALYSED = "src/"
-NOT_ANALYSED = {"src/engine/kernels/kernels.cpp", "src/engine/kernels/sampling_kernels.cpp", "src/fit/linear/array_kernels.cpp"}
+NOT_ANALYSED = {"src/kernels/kernels.cpp", "src/kernels/analytic_unit.cpp", "src/fit/linear/array_kernels.cpp"}
 
 
 def commands(build, prefixes):

@@ -65,7 +65,7 @@ Result<Reference> read_reference(const std::string& file, bool degrees,
   if (input->measured) {
     const auto material = materials.resolve(input->measured->wire());
     if (!material) return material.error();
-    table = material->material().impl().table;
+    table = table_of(material->material());
   }
   auto data = data_of(*input, table.get());
   if (!data) return data.error();
