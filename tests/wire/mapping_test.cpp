@@ -76,7 +76,15 @@ struct Three {
   std::optional<std::string> two;
   std::array<double, 3> three{};
 };
-static_assert(member_count<Three>() == 3);
+template <class... Fields>
+concept IsAList = requires(Fields... all) {
+  fields<Three>(all...);
+};
+using One = MappedField<Three, double>;
+using Two = MappedField<Three, std::optional<std::string>>;
+using Last = MappedField<Three, std::array<double, 3>>;
+static_assert(IsAList<One, Two, Last>);
+static_assert(!IsAList<One, Two>, "a member that is not listed must not compile");
 
 TEST(Mapping, WordsOfANewerServerAreNoOthers) {
   v1::FitCertificate sent;

@@ -47,11 +47,13 @@ constexpr MappedField<T, Member> field(Member T::*member, int number) {
   return {member, number};
 }
 
+// Whether as many are listed as the structure has.
+template <class T, std::size_t Listed>
+concept EveryMember = Listed == member_count<T>();
+
 template <class T, class... Members>
-constexpr auto fields(MappedField<T, Members>... all) {
-  static_assert(sizeof...(all) == member_count<T>(), "a member of the structure is not listed");
-  return std::make_tuple(all...);
-}
+requires EveryMember<T, sizeof...(Members)>
+constexpr auto fields(MappedField<T, Members>... all) { return std::make_tuple(all...); }
 
 template <class T>
 concept HasFields = requires {
