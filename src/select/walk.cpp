@@ -60,16 +60,16 @@ Choice Walk::rounded_choice(const Tried& tried, std::size_t index) const {
   Choice choice;
   choice.entry = index;
   choice.material = tried.entry.material;
-  if (has_model(tried.form)) {
+  if (tried.entry.material) {
     const double most = tried.entry.error.value + kShare * scene_.tolerance;
     for (int digits = kFewestDigits; digits <= kMostDigits; ++digits) {
-      const MaterialSpec spec = rounded(tried.entry.material, digits);
+      const MaterialSpec spec = rounded(*tried.entry.material, digits);
       const auto material = Material::create(spec);
       if (!material) continue;
       const auto errors = errors_of(*material, validation_, scene_.metric);
       if (!(bounded(errors, scene_.metric, kWorthTrying).value <= most)) continue;
       choice.material = spec;
-      choice.digits = digits;
+      choice.digits = static_cast<unsigned>(digits);
       break;
     }
   }
@@ -79,7 +79,7 @@ Choice Walk::rounded_choice(const Tried& tried, std::size_t index) const {
 void Walk::certify(Tried& tried, std::size_t index) {
   Choice choice = rounded_choice(tried, index);
   const Material material =
-      choice.digits > 0 ? *Material::create(choice.material) : *tried.material;
+      choice.digits > 0 ? *Material::create(*choice.material) : *tried.material;
   choice.confidence = 1 - (1 - scene_.confidence) * std::exp2(-static_cast<double>(++attempts_));
   choice.error =
       bounded(errors_of(material, certification_, scene_.metric), scene_.metric, choice.confidence);
@@ -89,8 +89,7 @@ void Walk::certify(Tried& tried, std::size_t index) {
     tried.entry.remark = "its certificate failed: at most " + number(choice.error.upper);
     return;
   }
-  const bool fast = choice.error.upper + choice.float32_error < scene_.tolerance;
-  choice.precision = fast ? Precision::fast : Precision::reference;
+  choice.needs_float64 = !(choice.error.upper + choice.float32_error < scene_.tolerance);
   selection_.choice = std::move(choice);
 }
 
