@@ -1,6 +1,5 @@
 #include "client/cli/arguments/fit_arguments.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <numbers>
 #include <optional>
@@ -11,7 +10,7 @@
 #include "client/cli/output/numbers.h"
 #include "client/cli/output/text.h"
 #include "client/cli/tool/known_names.h"
-#include "server/arguments/words.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -49,60 +48,59 @@ Examples:
   gonio fit --data paint.brdf --model all --report report.json --report report.md)";
 
 void add_what(CLI::App& command, FitArguments& arguments) {
-  command.add_option("--data", arguments.data, "The measurements (see below)")
-      ->type_name("FILE")
-      ->required();
-  command
-      .add_option("--model", arguments.models,
-                  "What to fit, NAME or NAME:FRESNEL (see below), several apart by commas; or all")
-      ->type_name("NAME,...")
-      ->check(arguments::suggest(fitted_names()))
-      ->delimiter(',')
-      ->required();
-  command
-      .add_option("--lobes", arguments.lobes, "Specular lobes of the model: 1 (the default) or 2")
-      ->type_name("N")
-      ->check(CLI::Range(1, 2).description(""));
-  command
-      .add_option("--base", arguments.base,
-                  "Under the lobes: lambertian (the default), another diffuse model, or none")
-      ->type_name("NAME");
-  command.add_flag("--anisotropic", arguments.anisotropic,
-                   "Roughness or exponents along u and v each by themselves, u and v being turned "
-                   "about the normal where the data are");
-  command
-      .add_option("--rotation", arguments.rotation,
-                  "Hold u and v turned by this, -180 to 180 degrees; 0: as they are")
-      ->type_name("DEG");
-  command.add_flag("--deg", arguments.degrees, "Angles of a CSV are in degrees");
+  arguments::add_option(command, "--data", arguments.data, "The measurements (see below)")
+      .type_name("FILE")
+      .required();
+  arguments::add_option(
+      command, "--model", arguments.models,
+      "What to fit, NAME or NAME:FRESNEL (see below), several apart by commas; or all")
+      .type_name("NAME,...")
+      .suggest(fitted_names())
+      .delimiter(',')
+      .required();
+  arguments::add_option(command, "--lobes", arguments.lobes,
+                        "Specular lobes of the model: 1 (the default) or 2")
+      .type_name("N")
+      .range(1, 2);
+  arguments::add_option(command, "--base", arguments.base,
+                        "Under the lobes: lambertian (the default), another diffuse model, or none")
+      .type_name("NAME");
+  arguments::add_flag(
+      command, "--anisotropic", arguments.anisotropic,
+      "Roughness or exponents along u and v each by themselves, u and v being turned "
+      "about the normal where the data are");
+  arguments::add_option(command, "--rotation", arguments.rotation,
+                        "Hold u and v turned by this, -180 to 180 degrees; 0: as they are")
+      .type_name("DEG");
+  arguments::add_flag(command, "--deg", arguments.degrees, "Angles of a CSV are in degrees");
 }
 
 void add_how(CLI::App& command, FitArguments& arguments) {
-  command
-      .add_option("--objective", arguments.objective,
-                  "What is minimised: l1 (the default), l2, huber, log or cbrt")
-      ->type_name("O")
-      ->check(arguments::one_of({"l1", "l2", "huber", "log", "cbrt"}));
-  command
-      .add_option("--strategy", arguments.strategy,
-                  "auto (the default), or staged: that of Nielsen et al. 2014, from one guess")
-      ->type_name("S")
-      ->check(arguments::one_of({"auto", "staged"}));
-  command
-      .add_option("--max-theta", arguments.max_theta,
-                  "Fit pairs whose angles are both up to this, degrees; errors are of all data")
-      ->type_name("DEG");
-  command
-      .add_option("--min-theta", arguments.min_theta, "Fit pairs one of whose angles is above this")
-      ->type_name("DEG");
-  command
-      .add_option("--starts", arguments.starts, "Places to descend from, 1 to 100; 6 if not given")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100).description(""));
-  command.add_option("--seed", arguments.seed, "Of the choice of pairs, 1 or more; 1 if not given")
-      ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U).description(""));
-  command.add_flag("--polish", arguments.polish, "End with a descent on all pairs");
+  arguments::add_option(command, "--objective", arguments.objective,
+                        "What is minimised: l1 (the default), l2, huber, log or cbrt")
+      .type_name("O")
+      .one_of({"l1", "l2", "huber", "log", "cbrt"});
+  arguments::add_option(
+      command, "--strategy", arguments.strategy,
+      "auto (the default), or staged: that of Nielsen et al. 2014, from one guess")
+      .type_name("S")
+      .one_of({"auto", "staged"});
+  arguments::add_option(
+      command, "--max-theta", arguments.max_theta,
+      "Fit pairs whose angles are both up to this, degrees; errors are of all data")
+      .type_name("DEG");
+  arguments::add_option(command, "--min-theta", arguments.min_theta,
+                        "Fit pairs one of whose angles is above this")
+      .type_name("DEG");
+  arguments::add_option(command, "--starts", arguments.starts,
+                        "Places to descend from, 1 to 100; 6 if not given")
+      .type_name("N")
+      .range(1, 100);
+  arguments::add_option(command, "--seed", arguments.seed,
+                        "Of the choice of pairs, 1 or more; 1 if not given")
+      .type_name("N")
+      .range(std::uint64_t{1}, std::uint64_t{1} << 62U);
+  arguments::add_flag(command, "--polish", arguments.polish, "End with a descent on all pairs");
 }
 
 // "NAME:FRESNEL" taken apart.
@@ -175,21 +173,20 @@ bool can_be_fitted(const client::ModelInfo& model) {
 }  // namespace
 
 void add_fit_options(CLI::App& command, FitArguments& arguments) {
-  command.footer(kFooter);
+  arguments::set_footer(command, kFooter);
   add_what(command, arguments);
   add_how(command, arguments);
-  command
-      .add_option("-o,--output", arguments.output, "Where the material's JSON goes; - is stdout")
-      ->type_name("OUT");
-  command
-      .add_option(
-          "--report", arguments.reports,
-          "Where all that is known of the fits goes: JSON, or a page for people if OUT ends "
-          "in .md; may be given for each")
-      ->type_name("OUT")
-      ->allow_extra_args(false);
+  arguments::add_option(command, "-o,--output", arguments.output,
+                        "Where the material's JSON goes; - is stdout")
+      .type_name("OUT");
+  arguments::add_option(
+      command, "--report", arguments.reports,
+      "Where all that is known of the fits goes: JSON, or a page for people if OUT ends "
+      "in .md; may be given for each")
+      .type_name("OUT")
+      .one_value_a_time();
   add_connection_options(command, arguments.connection);
-  command.add_flag("--quiet,-q", arguments.quiet, "No progress bar and no table");
+  arguments::add_flag(command, "--quiet,-q", arguments.quiet, "No progress bar and no table");
 }
 
 Outcome check_angles(const FitArguments& arguments) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "client/cli/arguments/connection.h"
+#include "client/cli/connection/connection.h"
 #include "gonio/base/result.h"
 #include "gonio/client/fit.h"
 

@@ -1,13 +1,12 @@
 // Where evaluations happen: on a server, or inside this process. Thread safety: used by one thread.
 #pragma once
 
-#include <chrono>
-#include <memory>
+#include <optional>
 #include <string>
 
+#include "client/cli/connection/embedded_server.h"
 #include "gonio/base/result.h"
 #include "gonio/client/client.h"
-#include "server/server.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): theirs
 class App;
@@ -27,7 +26,7 @@ void add_connection_options(CLI::App& command, ConnectionOptions& options);
 // A client and, where it is embedded, the very service that goniod runs, reached without a socket:
 // the code path is the same.
 struct Connection {
-  std::unique_ptr<Server> server;  // null for a remote one; outlives the client
+  std::optional<EmbeddedServer> server;  // none for a remote one; outlives the client
   client::Client client;
 
   static Result<Connection> open(const ConnectionOptions& options);
