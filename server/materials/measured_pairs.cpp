@@ -57,7 +57,7 @@ Result<std::shared_ptr<const MeasuredTable>> table_of(const v1::Material& measur
     if (error.message.rfind("material.", 0) == 0) error.message.replace(0, 8, "measured");
     return error;
   }
-  auto table = material->material().impl().table;
+  auto table = table_of(material->material());
   if (table) return table;
   const std::string& name = measured.name();
   if (name.empty() || materials.holds(name)) return not_measured("an analytic material");

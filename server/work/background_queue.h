@@ -34,7 +34,7 @@ class BackgroundQueue {
   // A job calls this every fraction of a millisecond. At the lowest priority it still keeps a
   // processor to the end of a tick (4 ms) from an evaluation that has just been woken: that was
   // five times the 99th percentile of a chunk, and is 1.2 to 1.9 with this
-  // (tests/bench/beside).
+  // (tests/bench/beside.cpp).
   static void give_way() { std::this_thread::yield(); }
   // Runs the waiting jobs that are over: their places are free.
   void drop_over();

@@ -40,7 +40,7 @@ struct Limits {
   std::optional<double> weight_error;  // if not given, the bound of Precision::fast and 4 roundings
   std::optional<double> probability;   // the least of chi-square; if not given, by kFalseAlarms
   std::optional<double> deviation;     // Incidence::deviation; if not given, by kFalseAlarms
-  // Of a table's cells (measured/table_review.h).
+  // Of a table's cells (measured/merl/review.h).
   double missing = 0.1;         // share without a measurement
   double missing_region = 0.5;  // the same of the worst range of an angle
   double zeros = 0.5;           // share that holds 0, of the worst channel

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "assess/naive.h"
-#include "engine/material/degrees.h"
 #include "engine/material/material_impl.h"
+#include "parts/degrees.h"
 
 namespace gonio::assess {
 namespace {
@@ -127,8 +127,8 @@ struct NaiveMaterial<T>::Lobe {
 template <class T>
 std::optional<NaiveMaterial<T>> NaiveMaterial<T>::of(const Material& material) {
   NaiveMaterial naive;
-  for (const MaterialPart& part : material.impl().parts) {
-    const Form<T> form = part.lobe == nullptr ? nullptr : form_of<T>(part.lobe->model->name);
+  for (const Part& part : material.impl().parts) {
+    const Form<T> form = form_of<T>(part.lobe->model->name);
     if (form == nullptr) return std::nullopt;
     naive.lobes_.push_back(std::make_shared<const Lobe>(Lobe{form, part.lobe}));
   }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "assess/subject.h"
-#include "measured/table_review.h"
+#include "measured/merl/review.h"
 
 namespace gonio::assess {
 

@@ -69,8 +69,8 @@ Drawn draw(const Sampler& sampler, const std::array<double, 3>& wi, std::size_t 
 
 std::vector<double> rarer_than_outside(const Material& material) {
   std::vector<double> indices;
-  for (const MaterialPart& part : material.impl().parts) {
-    if (part.lobe == nullptr || word_of(*part.lobe, "fresnel") != "dielectric") continue;
+  for (const Part& part : material.impl().parts) {
+    if (word_of(*part.lobe, "fresnel") != "dielectric") continue;
     for (const double eta : part.lobe->values.all().find("eta")->second) {
       if (eta < 1) indices.push_back(eta);
     }
@@ -101,7 +101,7 @@ Subject subject_of(const Sampler& sampler, Isa isa) {
           },
       .tangents = material.impl().rotation * (std::numbers::pi / 180),
       .rarer = rarer_than_outside(material),
-      .table = material.impl().table,
+      .table = table_of(material),
       .truth = Truth(material),
       .roundings = Truth::of_roundings(material, kStep),
       .naive32 = NaiveMaterial<float>::of(material),

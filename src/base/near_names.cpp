@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text/join.h"
 #include "gonio/base/shown.h"
 
 namespace gonio {
@@ -80,16 +81,6 @@ std::vector<std::string> all_alike(std::string_view name, std::span<const Text> 
   std::vector<std::string> names;
   for (Alike& one : alike) names.push_back(std::move(one.name));
   return names;
-}
-
-template <class Text>
-std::string joined(std::span<const Text> names) {
-  std::string text;
-  for (const Text& name : names) {
-    if (!text.empty()) text += ", ";
-    text += name;
-  }
-  return text;
 }
 
 template <class Text>

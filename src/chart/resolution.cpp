@@ -72,7 +72,7 @@ Between between(int fine, int fine_cells, int cells, bool linear, bool periodic)
   return {lower, std::min(lower + 1, cells - 1), weight};
 }
 
-// One of the full table's cells from a coarse one, as engine/kernels/measured_kernel.h
+// One of the full table's cells from a coarse one, as measured/merl/eval.h
 // interpolates.
 void fill(const std::vector<float>& values, const Resolution& r, const Between (&axis)[3],
           float* to) {

@@ -22,7 +22,7 @@ std::map<std::string, std::string, std::less<>> words_of(const CheckedLobe& lobe
   std::size_t kind = lobe.kind;
   const auto& all = lobe.model->parameters;
   for (std::size_t i = all.size(); i-- > 0;) {
-    if (all[i].kind != Kind::word) continue;
+    if (all[i].type != ParameterType::word) continue;
     words[std::string(all[i].name)] = all[i].words[kind % all[i].words.size()];
     kind /= all[i].words.size();
   }
@@ -78,7 +78,7 @@ void add_shapes(const NamedLobe& named, const CheckedLobe& lobe,
   const auto fresnel = words.find("fresnel");
   const bool dielectric = fresnel != words.end() && fresnel->second == "dielectric";
   for (const Parameter& p : lobe.model->parameters) {
-    if (p.kind == Kind::word || is_colour(p) || !is_used(p, words)) continue;
+    if (p.type == ParameterType::word || is_colour(p) || !is_used(p, words)) continue;
     ShapeParameter* partner =
         options.anisotropic ? nullptr : tied_to(p.name, *lobe.model, form.shapes, index);
     if (partner != nullptr) {

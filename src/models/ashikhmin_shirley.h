@@ -36,15 +36,18 @@ struct AshikhminShirley {
                 .lower = 0,
                 .upper = 1,
                 .start = 0,
-                .kind = Kind::colour},
+                .type = ParameterType::colour,
+                .quantity = Quantity::base,
+                .dimmed_by = "rs"},
       Parameter{.name = "rs",
                 .meaning = "specular reflectance at normal incidence",
                 .unit = "1",
                 .lower = 0,
                 .upper = 1,
                 .start = 0.5,
-                .kind = Kind::colour,
-                .presets = presets::kReflectance},
+                .type = ParameterType::colour,
+                .presets = presets::kReflectance,
+                .dependence = Dependence::affine},
       Parameter{.name = "nu",
                 .meaning = "exponent along the tangent u",
                 .unit = "1",
@@ -163,9 +166,8 @@ struct AshikhminShirley {
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
-                                               const Stage<N>&, const Refined<N>& r,
-                                               const Aim<N>& aim) {
+  static GONIO_INLINE typename N::Real pdf(const Shape<typename N::WideScalar>& k, const Stage<N>&,
+                                           const Refined<N>& r, const Aim<N>& aim) {
     using Real = typename N::Real;
     const Real half_e = aim.by_azimuth(Real(-k.minus_half_nu), Real(-k.minus_half_nv));
     const PowerProfile<N> profile(half_e + Real(0.5));
@@ -173,9 +175,9 @@ struct AshikhminShirley {
   }
 
   template <class N>
-  static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
-                                                  const Vec3<typename N::Real>& wi,
-                                                  const Xi<typename N::Real>& xi) {
+  static GONIO_INLINE Vec3<typename N::Real> sample(const Shape<typename N::WideScalar>& k,
+                                                    const Vec3<typename N::Real>& wi,
+                                                    const Xi<typename N::Real>& xi) {
     using Real = typename N::Real;
     using std::sqrt;
     const Real half_nu = Real(-k.minus_half_nu), half_nv = Real(-k.minus_half_nv);
@@ -187,9 +189,9 @@ struct AshikhminShirley {
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real value(const Terms<N>& t,
-                                             const Channel<typename N::WideScalar>&,
-                                             const Channel<typename N::RealScalar>& c) {
+  static GONIO_INLINE typename N::Real eval(const Terms<N>& t,
+                                            const Channel<typename N::WideScalar>&,
+                                            const Channel<typename N::RealScalar>& c) {
     using Real = typename N::Real;
     return sum_of_products(t.amplitude, Real(c.specular) + Real(c.specular_rest) * t.w5,
                            Real(c.diffuse), t.diffuse);

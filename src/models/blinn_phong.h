@@ -19,7 +19,7 @@
 namespace gonio {
 
 struct BlinnPhong {
-  static constexpr std::array kParameters{cosine_power::kExponent, fresnel::kKind, fresnel::kF0,
+  static constexpr std::array kParameters{cosine_power::kExponent, fresnel::kTerm, fresnel::kF0,
                                           fresnel::kEta,           fresnel::kK,    kScale};
   static constexpr ModelDescription kDescription{
       .name = "blinn_phong",
@@ -78,18 +78,18 @@ struct BlinnPhong {
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
-                                               const HalfVector<N>&, const Stage<N>&,
-                                               const Refined<N>& r, const Aim<N>& aim) {
+  static GONIO_INLINE typename N::Real pdf(const Shape<typename N::WideScalar>& k,
+                                           const HalfVector<N>&, const Stage<N>&,
+                                           const Refined<N>& r, const Aim<N>& aim) {
     const double width = 0.5 - k.minus_half_s;
     return N::times_exp2(
         typename N::Real(width * 0.318309886183790672) * aim.gain(PowerProfile<N>(width)), r.power);
   }
 
   template <class N>
-  static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
-                                                  const Vec3<typename N::Real>& wi,
-                                                  const Xi<typename N::Real>& xi) {
+  static GONIO_INLINE Vec3<typename N::Real> sample(const Shape<typename N::WideScalar>& k,
+                                                    const Vec3<typename N::Real>& wi,
+                                                    const Xi<typename N::Real>& xi) {
     using Real = typename N::Real;
     const auto phi = half_turn(xi.u);
     return draw_by_half_vector<N>(PowerProfile<N>(0.5 - k.minus_half_s),

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "gonio/models/description.h"
@@ -29,7 +30,7 @@ struct CookTorrance {
       Parameter{.name = "distribution",
                 .meaning = "of the microfacets' normals; if not given, it follows from m and s",
                 .unit = "1",
-                .kind = Kind::word,
+                .type = ParameterType::word,
                 .words = kDistributions},
       Parameter{.name = "m",
                 .meaning = "Beckmann's root mean square slope",
@@ -40,7 +41,7 @@ struct CookTorrance {
                 .scale = Scale::logarithmic,
                 .used_with = {"distribution", kBeckmann}},
       cosine_power::exponent_used_with({"distribution", kCosinePower}),
-      fresnel::kKind,
+      fresnel::kTerm,
       fresnel::kF0,
       fresnel::kEta,
       fresnel::kK,
@@ -180,9 +181,9 @@ struct CookTorrance::WithDistribution {
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
-                                               const HalfVector<N>&, const Stage<N>&,
-                                               const Refined<N>& r, const Aim<N>& aim) {
+  static GONIO_INLINE typename N::Real pdf(const Shape<typename N::WideScalar>& k,
+                                           const HalfVector<N>&, const Stage<N>&,
+                                           const Refined<N>& r, const Aim<N>& aim) {
     using Real = typename N::Real;
     const Colatitude<Real> lit = reach(aim.half.toward, aim.half.z2);
     const Real mass = Distribution::template profile<N>(k).mass_beyond_45(lit);
@@ -195,9 +196,9 @@ struct CookTorrance::WithDistribution {
   }
 
   template <class N>
-  static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
-                                                  const Vec3<typename N::Real>& wi,
-                                                  const Xi<typename N::Real>& xi) {
+  static GONIO_INLINE Vec3<typename N::Real> sample(const Shape<typename N::WideScalar>& k,
+                                                    const Vec3<typename N::Real>& wi,
+                                                    const Xi<typename N::Real>& xi) {
     using Real = typename N::Real;
     using std::sqrt;
     const auto phi = half_turn(xi.u);

@@ -24,7 +24,7 @@ namespace gonio {
 
 struct Ggx {
   static constexpr std::array kParameters{
-      roughness::kAlphaX, roughness::kAlphaY, fresnel::kKind, fresnel::kF0,
+      roughness::kAlphaX, roughness::kAlphaY, fresnel::kTerm, fresnel::kF0,
       fresnel::kEta,      fresnel::kK,        kScale};
   static constexpr ModelDescription kDescription{
       .name = "ggx",
@@ -112,17 +112,17 @@ struct Ggx {
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
-                                               const HalfVector<N>&, const Stage<N>&,
-                                               const Refined<N>& r, const Aim<N>& aim) {
+  static GONIO_INLINE typename N::Real pdf(const Shape<typename N::WideScalar>& k,
+                                           const HalfVector<N>&, const Stage<N>&,
+                                           const Refined<N>& r, const Aim<N>& aim) {
     return typename N::Real(k.norm) * (r.ratio * r.ratio) * aim.above / aim.below;
   }
 
   // The papers' unit vectors times L(wi), which spares roots and divisions.
   template <class N>
-  static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
-                                                  const Vec3<typename N::Real>& wi,
-                                                  const Xi<typename N::Real>& xi) {
+  static GONIO_INLINE Vec3<typename N::Real> sample(const Shape<typename N::WideScalar>& k,
+                                                    const Vec3<typename N::Real>& wi,
+                                                    const Xi<typename N::Real>& xi) {
     using Real = typename N::Real;
     using std::sqrt;
     const Real l = length<N>(k, wi);

@@ -21,7 +21,7 @@ struct Lambertian {
                                                     .lower = 0,
                                                     .upper = 1,
                                                     .start = 0.5,
-                                                    .kind = Kind::colour}};
+                                                    .type = ParameterType::colour}};
   static constexpr ModelDescription kDescription{.name = "lambertian",
                                                  .summary = "ideal diffuse reflection",
                                                  .source = "Lambert 1760, Photometria",
@@ -67,9 +67,8 @@ struct Lambertian {
     return {};
   }
   template <class N>
-  static GONIO_INLINE typename N::Real value(const Terms<N>&,
-                                             const Channel<typename N::WideScalar>&,
-                                             const Channel<typename N::RealScalar>& c) {
+  static GONIO_INLINE typename N::Real eval(const Terms<N>&, const Channel<typename N::WideScalar>&,
+                                            const Channel<typename N::RealScalar>& c) {
     return typename N::Real(c.value);
   }
 };

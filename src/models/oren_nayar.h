@@ -19,6 +19,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "gonio/models/description.h"
@@ -30,6 +31,7 @@ namespace gonio {
 
 struct OrenNayar {
   static constexpr std::array<std::string_view, 2> kForms{"full", "short"};
+  static constexpr std::array<std::string_view, 1> kFull{"full"};
   static constexpr std::array kParameters{
       Parameter{.name = "rd",
                 .meaning = "diffuse albedo of a facet",
@@ -37,7 +39,9 @@ struct OrenNayar {
                 .lower = 0,
                 .upper = 1,
                 .start = 0.5,
-                .kind = Kind::colour},
+                .type = ParameterType::colour,
+                .dependence = Dependence::quadratic,
+                .dependence_with = {"form", kFull}},
       Parameter{.name = "sigma",
                 .meaning = "standard deviation of the facets' slope angle",
                 .unit = "rad",
@@ -47,7 +51,7 @@ struct OrenNayar {
       Parameter{.name = "form",
                 .meaning = "with light that two facets reflect in turn, or without",
                 .unit = "1",
-                .kind = Kind::word,
+                .type = ParameterType::word,
                 .words = kForms}};
   static constexpr std::string_view kNote =
       "full form, where it crosses 0: four roundings of rd and sigma";
@@ -131,9 +135,9 @@ struct OrenNayar::Short : OrenNayar {
     return {N::real(Wide(k.c1) + Wide(k.c2) * (max(s.across, Wide(0)) / most))};
   }
   template <class N>
-  static GONIO_INLINE typename N::Real value(const Terms<N>& t,
-                                             const Channel<typename N::WideScalar>&,
-                                             const Channel<typename N::RealScalar>& c) {
+  static GONIO_INLINE typename N::Real eval(const Terms<N>& t,
+                                            const Channel<typename N::WideScalar>&,
+                                            const Channel<typename N::RealScalar>& c) {
     return typename N::Real(c.once) * t.once;
   }
 };
@@ -173,9 +177,9 @@ struct OrenNayar::Full : OrenNayar {
             N::real(Wide(1) - cos_phi * (vb * vb))};
   }
   template <class N>
-  static GONIO_INLINE typename N::Real value(const Terms<N>& t,
-                                             const Channel<typename N::WideScalar>&,
-                                             const Channel<typename N::RealScalar>& c) {
+  static GONIO_INLINE typename N::Real eval(const Terms<N>& t,
+                                            const Channel<typename N::WideScalar>&,
+                                            const Channel<typename N::RealScalar>& c) {
     using Real = typename N::Real;
     return max(Real(0), sum_of_products(Real(c.once), t.once, Real(c.twice), t.twice));
   }

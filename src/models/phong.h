@@ -17,7 +17,7 @@
 namespace gonio {
 
 struct Phong {
-  static constexpr std::array kParameters{cosine_power::kExponent, fresnel::kKind, fresnel::kF0,
+  static constexpr std::array kParameters{cosine_power::kExponent, fresnel::kTerm, fresnel::kF0,
                                           fresnel::kEta,           fresnel::kK,    kScale};
   static constexpr ModelDescription kDescription{
       .name = "phong",
@@ -76,18 +76,18 @@ struct Phong {
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
-                                               const HalfVector<N>&, const Stage<N>&,
-                                               const Refined<N>& r, const Aim<N>& aim) {
+  static GONIO_INLINE typename N::Real pdf(const Shape<typename N::WideScalar>& k,
+                                           const HalfVector<N>&, const Stage<N>&,
+                                           const Refined<N>& r, const Aim<N>& aim) {
     const double width = 0.5 - 0.5 * k.minus_s;
     return N::times_exp2(
         typename N::Real(width * 0.318309886183790672) * aim.gain(PowerProfile<N>(width)), r.power);
   }
 
   template <class N>
-  static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
-                                                  const Vec3<typename N::Real>& wi,
-                                                  const Xi<typename N::Real>& xi) {
+  static GONIO_INLINE Vec3<typename N::Real> sample(const Shape<typename N::WideScalar>& k,
+                                                    const Vec3<typename N::Real>& wi,
+                                                    const Xi<typename N::Real>& xi) {
     return draw_about_mirror<N>(PowerProfile<N>(0.5 - 0.5 * k.minus_s), wi, xi.u, xi.v);
   }
 };

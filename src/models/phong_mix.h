@@ -26,7 +26,7 @@ struct PhongMix {
                                   .upper = 1,
                                   .start = 0.5};
   static constexpr std::array kParameters{
-      cosine_power::kExponent, kMix,        fresnel::kKind, fresnel::kF0,
+      cosine_power::kExponent, kMix,        fresnel::kTerm, fresnel::kF0,
       fresnel::kEta,           fresnel::kK, kScale};
   static constexpr ModelDescription kDescription{
       .name = "phong_mix",
@@ -100,9 +100,9 @@ struct PhongMix {
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
-                                               const HalfVector<N>&, const Stage<N>&,
-                                               const Refined<N>&, const Aim<N>& aim) {
+  static GONIO_INLINE typename N::Real pdf(const Shape<typename N::WideScalar>& k,
+                                           const HalfVector<N>&, const Stage<N>&, const Refined<N>&,
+                                           const Aim<N>& aim) {
     using Real = typename N::Real;
     const double mirror_width = 0.5 - 0.5 * k.minus_s, half_width = 0.5 - 2 * k.minus_s;
     const Real mirror_gain = aim.mirror.gain(PowerProfile<N>(mirror_width));
@@ -121,9 +121,9 @@ struct PhongMix {
 
   // Both lobes at once: an axis, how far it reaches on its shorter side, a place along it.
   template <class N>
-  static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
-                                                  const Vec3<typename N::Real>& wi,
-                                                  const Xi<typename N::Real>& xi) {
+  static GONIO_INLINE Vec3<typename N::Real> sample(const Shape<typename N::WideScalar>& k,
+                                                    const Vec3<typename N::Real>& wi,
+                                                    const Xi<typename N::Real>& xi) {
     using Real = typename N::Real;
     const auto by_half = xi.choice < Real(k.mix);
     const auto either = [&](const Real& half, const Real& mirror) {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "gonio/models/description.h"
 #include "parts/half_vector_sampling.h"
@@ -24,7 +25,7 @@ struct Ward {
                                                     .lower = 0,
                                                     .upper = 1,
                                                     .start = 0.5,
-                                                    .kind = Kind::colour},
+                                                    .type = ParameterType::colour},
                                           roughness::kAlphaX, roughness::kAlphaY, kScale};
   static constexpr ModelDescription kDescription{
       .name = "ward",
@@ -112,9 +113,9 @@ struct Ward {
 
   // exp(...) / (pi ax ay (n.h)^3) / (4 h.wi) = exp(...) |H|^2 / (2 pi ax ay Hz^3)
   template <class N>
-  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& k,
-                                               const HalfVector<N>&, const Stage<N>&,
-                                               const Refined<N>& r, const Aim<N>& aim) {
+  static GONIO_INLINE typename N::Real pdf(const Shape<typename N::WideScalar>& k,
+                                           const HalfVector<N>&, const Stage<N>&,
+                                           const Refined<N>& r, const Aim<N>& aim) {
     using Real = typename N::Real;
     const Real rate = aim.by_azimuth(Real(k.minus_inverse_ax2), Real(k.minus_inverse_ay2));
     const Real z = max(r.z, Real(1e-9)), masses = aim.masses(SlopeProfile<N>{rate});
@@ -123,9 +124,9 @@ struct Ward {
   }
 
   template <class N>
-  static GONIO_INLINE Vec3<typename N::Real> draw(const Shape<typename N::WideScalar>& k,
-                                                  const Vec3<typename N::Real>& wi,
-                                                  const Xi<typename N::Real>& xi) {
+  static GONIO_INLINE Vec3<typename N::Real> sample(const Shape<typename N::WideScalar>& k,
+                                                    const Vec3<typename N::Real>& wi,
+                                                    const Xi<typename N::Real>& xi) {
     using Real = typename N::Real;
     using std::sqrt;
     const Real rate_x = Real(k.minus_inverse_ax2), rate_y = Real(k.minus_inverse_ay2);

@@ -26,21 +26,23 @@ inline constexpr std::array<std::string_view, 1> kSchlickOnly{"schlick"};
 inline constexpr std::array<std::string_view, 2> kIndexed{"dielectric", "conductor"};
 inline constexpr std::array<std::string_view, 1> kConductorOnly{"conductor"};
 
-inline constexpr Parameter kKind{
+inline constexpr Parameter kTerm{
     .name = "fresnel",
     .meaning = "reflectance of a microfacet; if not given, it follows from f0, eta and k",
     .unit = "1",
-    .kind = Kind::word,
-    .words = kWords};
+    .type = ParameterType::word,
+    .words = kWords,
+    .fit_word = "dielectric"};
 inline constexpr Parameter kF0{.name = "f0",
                                .meaning = "reflectance at normal incidence",
                                .unit = "1",
                                .lower = 0,
                                .upper = 1,
                                .start = 0.04,
-                               .kind = Kind::colour,
+                               .type = ParameterType::colour,
                                .used_with = {"fresnel", kSchlickOnly},
-                               .presets = presets::kReflectance};
+                               .presets = presets::kReflectance,
+                               .dependence = Dependence::affine};
 inline constexpr Parameter kEta{.name = "eta",
                                 .meaning = "refractive index relative to the outside",
                                 .unit = "1",
@@ -48,20 +50,22 @@ inline constexpr Parameter kEta{.name = "eta",
                                 .upper = 100,
                                 .start = 1.5,
                                 .scale = Scale::logarithmic,
-                                .kind = Kind::colour,
+                                .type = ParameterType::colour,
                                 .used_with = {"fresnel", kIndexed},
                                 .presets = presets::kIndex,
-                                .preset_partner = "k"};
+                                .preset_partner = "k",
+                                .quantity = Quantity::refractive_index};
 inline constexpr Parameter kK{.name = "k",
                               .meaning = "extinction coefficient",
                               .unit = "1",
                               .lower = 0,
                               .upper = 100,
                               .start = 0,
-                              .kind = Kind::colour,
+                              .type = ParameterType::colour,
                               .used_with = {"fresnel", kConductorOnly},
                               .presets = presets::kExtinction,
-                              .preset_partner = "eta"};
+                              .preset_partner = "eta",
+                              .quantity = Quantity::extinction};
 
 // F = 1.
 struct None {

@@ -18,7 +18,8 @@ inline constexpr Parameter kScale{.name = "scale",
                                   .lower = 0,
                                   .upper = 1e6,
                                   .start = 1,
-                                  .kind = Kind::colour};
+                                  .type = ParameterType::colour,
+                                  .quantity = Quantity::amplitude};
 
 template <class Model, class Fresnel>
 struct Lobe {
@@ -79,9 +80,9 @@ struct Lobe {
             Fresnel::template terms<N>(refined.fresnel)};
   }
 
-  // Sampling: a Model that can draw its own lobe has draw(shape, wi, xi), the Aim<N> that its
+  // Sampling: a Model that can draw its own lobe has sample(shape, wi, xi), the Aim<N> that its
   // density needs of a pair beside the steps above, aim(shape, geometry), and
-  // density(shape, half, stage, refined, aim). All colours share it.
+  // pdf(shape, half, stage, refined, aim). All colours share it.
   using Drawn = Model;
   template <class N>
   using Aim = typename Model::template Aim<N>;
@@ -92,16 +93,16 @@ struct Lobe {
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real density(const Shape<typename N::WideScalar>& shape,
-                                               const Stage<N>& stage, const Refined<N>& refined,
-                                               const Aim<N>& aim) {
-    return Model::template density<N>(shape, stage.half, stage.model, refined.model, aim);
+  static GONIO_INLINE typename N::Real pdf(const Shape<typename N::WideScalar>& shape,
+                                           const Stage<N>& stage, const Refined<N>& refined,
+                                           const Aim<N>& aim) {
+    return Model::template pdf<N>(shape, stage.half, stage.model, refined.model, aim);
   }
 
   template <class N>
-  static GONIO_INLINE typename N::Real value(const Terms<N>& t,
-                                             const Channel<typename N::WideScalar>& wide,
-                                             const Channel<typename N::RealScalar>& real) {
+  static GONIO_INLINE typename N::Real eval(const Terms<N>& t,
+                                            const Channel<typename N::WideScalar>& wide,
+                                            const Channel<typename N::RealScalar>& real) {
     using Real = typename N::Real;
     return t.amplitude * (Real(real.scale) *
                           Fresnel::template reflectance<N>(t.fresnel, wide.fresnel, real.fresnel));

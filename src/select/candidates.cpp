@@ -17,7 +17,7 @@ std::vector<Variant> variants_of(const ModelDescription& model) {
   const std::string name(model.name);
   std::vector<Variant> variants{{name, {name, {}}, model.role}};
   for (const Parameter& p : model.parameters) {
-    if (p.kind != Kind::word) continue;
+    if (p.type != ParameterType::word) continue;
     std::vector<Variant> longer;
     for (const Variant& variant : variants) {
       for (const std::string_view word : p.words) {
@@ -81,7 +81,7 @@ MaterialSpec with_channels(const MaterialSpec& form, int channels) {
   MaterialSpec spec = form;
   const auto widen = [&](LobeSpec& lobe) {
     for (const Parameter& p : (*find_model(lobe.model))->parameters) {
-      if (p.kind != Kind::colour || !p.used_with.parameter.empty()) continue;
+      if (p.type != ParameterType::colour || !p.used_with.parameter.empty()) continue;
       lobe.parameters[std::string(p.name)] =
           std::vector<double>(static_cast<std::size_t>(channels), p.start);
     }

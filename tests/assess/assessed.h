@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "assess/assess.h"
-#include "engine/kernels/prepare.h"
 #include "engine/material/material_impl.h"
+#include "engine/material/registry.h"
 #include "models/oracle/cases.h"
 #include "models/oracle/run.h"
 
@@ -22,11 +22,9 @@ namespace gonio::testing {
 inline Material unchecked(const MaterialSpec& spec, std::string_view parameter, double value) {
   const Material checked = material_of(spec);
   auto impl = std::make_shared<Material::Impl>(checked.impl());
-  MaterialPart& part = impl->parts[0];
-  CheckedLobe lobe = *part.lobe;
+  CheckedLobe lobe = *impl->parts[0].lobe;
   lobe.values.set(parameter, {value});
-  part.constants = prepare(*lobe.model, lobe.kind, lobe.values, impl->channels).constants;
-  part.lobe = std::make_shared<const CheckedLobe>(std::move(lobe));
+  impl->parts[0] = make_part(lobe, impl->channels);
   return Material(std::move(impl));
 }
 

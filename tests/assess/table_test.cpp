@@ -6,8 +6,8 @@
 
 #include "assess/assessed.h"
 #include "assess/verdict.h"
-#include "measured/cells.h"
-#include "measured/table_review.h"
+#include "measured/merl/cells.h"
+#include "measured/merl/review.h"
 
 namespace gonio::testing {
 namespace {

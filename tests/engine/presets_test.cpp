@@ -51,7 +51,7 @@ TEST(Presets, AreInsideTheirBoundsAndHaveASource) {
   std::set<std::string_view> having;
   for_each_preset([&](const ModelDescription&, const Parameter& p, const Preset& found) {
     having.insert(p.name);
-    EXPECT_EQ(p.kind, Kind::colour);
+    EXPECT_EQ(p.type, ParameterType::colour);
     EXPECT_EQ(preset(p, found.name), &found) << "stands there twice";
     EXPECT_THAT(std::string(found.name), MatchesRegex("[a-z]+"));
     EXPECT_THAT(std::string(found.source), MatchesRegex(".*(19|20)[0-9][0-9].*"));

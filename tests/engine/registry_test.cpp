@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -61,7 +62,7 @@ TEST_P(EachModel, NeedsNoParameter) {
 
 TEST_P(EachModel, AcceptsItsBoundsAndNothingBeyond) {
   for (const Parameter& p : model().parameters) {
-    if (p.kind == Kind::word) continue;
+    if (p.type == ParameterType::word) continue;
     const std::string name(p.name), field = "parameters." + name;
     for (const double inside : {p.lower, p.start, p.upper}) {
       const auto material = with(name, std::vector{inside});
@@ -86,7 +87,7 @@ TEST_P(EachModel, AcceptsItsBoundsAndNothingBeyond) {
 TEST_P(EachModel, AcceptsItsWordsAndNoOther) {
   for (const Parameter& p : model().parameters) {
     const std::string name(p.name);
-    if (p.kind != Kind::word) {
+    if (p.type != ParameterType::word) {
       EXPECT_FALSE(with(name, "word").ok()) << name;
       continue;
     }
@@ -106,11 +107,11 @@ TEST_P(EachModel, AcceptsItsWordsAndNoOther) {
 
 TEST_P(EachModel, TakesOneNumberAChannelForColoursOnly) {
   for (const Parameter& p : model().parameters) {
-    if (p.kind == Kind::word) continue;
+    if (p.type == ParameterType::word) continue;
     for (const std::size_t count :
          {std::size_t{0}, std::size_t{2}, std::size_t{64}, std::size_t{65}}) {
       const auto material = with(std::string(p.name), std::vector<double>(count, p.start));
-      const bool allowed = p.kind == Kind::colour && count >= 1 && count <= kMaxChannels;
+      const bool allowed = p.type == ParameterType::colour && count >= 1 && count <= kMaxChannels;
       ASSERT_EQ(material.ok(), allowed) << p.name << " with " << count;
       if (allowed) {
         EXPECT_EQ(material->channels(), static_cast<int>(count));
@@ -125,6 +126,39 @@ TEST_P(EachModel, RefusesParametersOfOthers) {
   EXPECT_EQ(material.error().field, "parameters.no_such");
   for (const Parameter& p : model().parameters) {
     EXPECT_THAT(material.error().allowed, HasSubstr(std::string(p.name)));
+  }
+}
+
+// What a fit reads of a table makes sense.
+TEST_P(EachModel, SaysOfColoursAloneThatTheyAreSome) {
+  const auto& all = model().parameters;
+  const auto named = [&](std::string_view name) {
+    return std::find_if(all.begin(), all.end(), [&](const Parameter& p) { return p.name == name; });
+  };
+  for (const Parameter& p : all) {
+    SCOPED_TRACE(p.name);
+    const Quantity quantity = quantity_of(p, model().role);
+    const bool shape = quantity == Quantity::shape || quantity == Quantity::refractive_index ||
+                       quantity == Quantity::extinction;
+    EXPECT_TRUE(shape || p.type == ParameterType::colour);
+    EXPECT_TRUE(p.scale == Scale::linear || p.lower >= 0);
+    EXPECT_TRUE(p.fit_word.empty() ||
+                std::find(p.words.begin(), p.words.end(), p.fit_word) != p.words.end());
+    if (p.dependence != Dependence::linear) {
+      EXPECT_FALSE(shape);
+      EXPECT_TRUE(p.lower <= 0 && p.upper >= 1);
+    }
+    if (!p.dependence_with.parameter.empty()) {
+      ASSERT_NE(named(p.dependence_with.parameter), all.end());
+      const auto& words = named(p.dependence_with.parameter)->words;
+      for (const std::string_view word : p.dependence_with.words)
+        EXPECT_NE(std::find(words.begin(), words.end(), word), words.end()) << word;
+    }
+    if (!p.dimmed_by.empty()) {
+      EXPECT_EQ(quantity, Quantity::base);
+      ASSERT_NE(named(p.dimmed_by), all.end());
+      EXPECT_EQ(named(p.dimmed_by)->dependence, Dependence::affine);
+    }
   }
 }
 

@@ -3,10 +3,10 @@
 # (on a machine that has no gRPC, as far as CMake can see), one that evaluates in its own process and by a server, and one that
 # sets no language standard and has headers called like gonio's.
 #
-#   install_test.sh BUILD_DIR WORK_DIR     WORK_DIR is emptied first
+#   install_test.sh BUILD_DIR WORK_DIR COMPILER     WORK_DIR is emptied first
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-build=$1 work=$2
+build=$1 work=$2 compiler=$3
 rm -rf "$work"
 mkdir -p "$work"
 socket_folder=$(mktemp -d) # a socket's path has little room
@@ -19,6 +19,9 @@ trap cleanup EXIT
 
 cmake --install "$build" --prefix "$work/first" >"$work/install.log"
 mv "$work/first" "$work/prefix" # nothing in it may depend on where it was installed
+
+# One folder, include/gonio, holds all headers of the package, and each stands by itself.
+"$here/headers.sh" "$compiler" "$work/prefix/include"
 
 consume() { # NAME CMAKE-ARGUMENT...
   local name=$1

@@ -7,8 +7,8 @@
 #include "engine/batches.h"
 #include "engine/material/hole_share.h"
 #include "gonio/engine/sampler.h"
-#include "measured/cells.h"
-#include "measured/table_review.h"
+#include "measured/merl/cells.h"
+#include "measured/merl/review.h"
 
 namespace gonio::testing {
 namespace {

@@ -101,7 +101,7 @@ TEST_P(Planted, EnergyIsFound) {
 TEST_P(Planted, WrongDerivativeIsFound) {
   Subject subject = subject_;
   for (const Parameter& p : subject.description.parameters) {
-    if (p.kind == Kind::word) continue;
+    if (p.type == ParameterType::word) continue;
     subject.derivative = [&](const auto& spec, const std::string& by, const auto& pairs, Isa isa) {
       auto values = subject_.derivative(spec, by, pairs, isa);
       for (double& v : values) v *= by == p.name ? 1.001 : 1;

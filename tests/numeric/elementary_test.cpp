@@ -2,7 +2,7 @@
 // that this machine has, over its whole range; worst_test.cpp looks where errors are largest.
 #include <gtest/gtest.h>
 
-#include "engine/kernels/flush_to_zero.h"
+#include "engine/material/flush_to_zero.h"
 #include "numeric/arrays.h"
 #include "numeric/cancelling.h"
 #include "numeric/errors.h"

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "engine/kernels/flush_to_zero.h"
+#include "engine/material/flush_to_zero.h"
 #include "numeric/arrays.h"
 #include "numeric/errors.h"
 

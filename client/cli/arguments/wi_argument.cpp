@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "client/cli/output/numbers.h"
-#include "engine/kernels/direction_flags.h"
 #include "gonio/client/types.h"
+#include "kernels/direction_flags.h"
 #include "server/arguments/options.h"
 
 namespace gonio::cli {

@@ -24,7 +24,7 @@ Result<fit::Data> data_of(const MeasuredInput& input, const Materials& materials
   if (input.measured) {
     const auto material = materials.resolve(input.measured->wire());
     if (!material) return material.error();
-    return fit::from_table(*material->material().impl().table);
+    return fit::from_table(*table_of(material->material()));
   }
   const auto wide = [](const std::vector<float>& x) {
     return std::vector<double>(x.begin(), x.end());
@@ -99,7 +99,7 @@ Result<chart::Measured> read_chart_data(const std::string& file, bool degrees) {
   if (!input->measured) return measured;
   const auto material = materials.resolve(input->measured->wire());
   if (!material) return material.error();
-  measured.table = material->material().impl().table;
+  measured.table = table_of(material->material());
   return measured;
 }
 

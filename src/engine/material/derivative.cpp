@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/near_names.h"
-#include "engine/kernels/prepare.h"
 #include "engine/material/material_impl.h"
+#include "engine/material/registry.h"
 
 namespace gonio {
 namespace {
@@ -28,7 +28,7 @@ Result<Choice> find_parameter(const CheckedMaterial& material, std::string_view 
   std::vector<std::string> known;
   for (std::size_t i = 0; i < material.lobes.size(); ++i) {
     for (const Parameter& p : material.lobes[i].model->parameters) {
-      if (p.kind == Kind::word) continue;
+      if (p.type == ParameterType::word) continue;
       const std::string field = field_of(material.named[i], p);
       if (field == by) return Choice{{i}, p.name};
       known.push_back(field);
@@ -49,12 +49,7 @@ Result<MaterialDerivative> MaterialDerivative::create(const MaterialSpec& spec,
   auto impl = std::make_shared<Material::Impl>();
   impl->channels = checked->channels;
   for (const std::size_t i : choice->lobes) {
-    const CheckedLobe& lobe = checked->lobes[i];
-    PreparedLobe prepared = prepare_derivative(*lobe.model, lobe.kind, lobe.values,
-                                               checked->channels, choice->parameter);
-    impl->parts.push_back(
-        {MaterialPart::Source::derivative, prepared.kernel, std::move(prepared.constants)});
-    impl->bytes += prepared.bytes;
+    impl->add(make_derivative(checked->lobes[i], checked->channels, choice->parameter));
   }
   return MaterialDerivative(Material(std::move(impl)));
 }

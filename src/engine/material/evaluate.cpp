@@ -6,10 +6,11 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "engine/kernels/flush_to_zero.h"
-#include "engine/kernels/layout.h"
+#include "engine/material/flush_to_zero.h"
+#include "engine/material/layout.h"
 #include "engine/material/material_impl.h"
 #include "gonio/engine/thread_pool.h"
+#include "kernels/choose.h"
 
 namespace gonio {
 namespace {
@@ -31,24 +32,10 @@ struct OutputScratch {
   alignas(kAlignment) std::uint8_t flags[kRun];
 };
 
-Kernel<float, float> choose(const KernelSet& set, float, float) { return set.fast; }
-Kernel<float, double> choose(const KernelSet& set, float, double) { return set.reference; }
-Kernel<double, double> choose(const KernelSet& set, double, double) { return set.reference64; }
-Kernel<float, double> choose(const DerivativeKernels& set, float) { return set.of_float; }
-Kernel<double, double> choose(const DerivativeKernels& set, double) { return set.of_double; }
-
-template <class In, class Out>
-Kernel<In, Out> kernel_of(const MaterialPart& part, const KernelTable& table) {
-  if constexpr (std::is_same_v<Out, double>) {
-    if (part.source == MaterialPart::Source::derivative)
-      return choose(table.derivatives[part.kernel], In());
-  }
-  return choose(part.kernels(table), In(), Out());
-}
-
 template <class In, class Out>
 std::uint8_t evaluate_run(const Material::Impl& material, const Batch<In, Out>& batch,
-                          std::size_t begin, std::size_t n, const KernelTable& table) {
+                          std::size_t begin, std::size_t n, Isa isa) {
+  const KernelTable& table = kernels(isa);
   const auto width = static_cast<std::size_t>(table.width);
   const std::size_t padded = (n + width - 1) / width * width;
   InputScratch<In> in_scratch;
@@ -64,8 +51,8 @@ std::uint8_t evaluate_run(const Material::Impl& material, const Batch<In, Out>& 
     out.values = batch.values.data + begin;
     out.channel_stride = static_cast<std::size_t>(batch.values.channel_stride);
   }
-  for (const MaterialPart& part : material.parts) {
-    kernel_of<In, Out>(part, table)(part.constants.get(), in, out);
+  for (const Part& part : material.parts) {
+    kernel_of(part.kind->kernels(isa).eval, In(), Out())(part.made.data.get(), in, out);
     out.accumulate = true;
   }
   if (!direct) copy_values(out.values, padded, material.channels, n, table, batch.values, begin);
@@ -87,7 +74,6 @@ template <class In, class Out>
 std::uint8_t evaluate_span(const Material& material, const Batch<In, Out>& batch, std::size_t begin,
                            std::size_t end, Isa isa) {
   assert(is_supported(isa));
-  const KernelTable& table = kernels(isa);
   const Material::Impl& impl = material.impl();
   const std::size_t by_channels =
       kScratchValues / static_cast<std::size_t>(impl.channels) / kGrain * kGrain;
@@ -101,7 +87,7 @@ std::uint8_t evaluate_span(const Material& material, const Batch<In, Out>& batch
     n = std::min(lead > 0 ? lead : run, left);
     // What is no whole number of packets is padded, in a copy: so the rest comes by itself.
     if (n > kGrain && (uncopied || n > by_channels)) n = n / kGrain * kGrain;
-    any = static_cast<std::uint8_t>(any | evaluate_run(impl, batch, at, n, table));
+    any = static_cast<std::uint8_t>(any | evaluate_run(impl, batch, at, n, isa));
   }
   return any;
 }

@@ -1,7 +1,7 @@
 // Evaluation with the densities of a sampler.
 #include <cassert>
 
-#include "engine/kernels/flush_to_zero.h"
+#include "engine/material/flush_to_zero.h"
 #include "engine/sampling/sampling_run.h"
 
 namespace gonio {

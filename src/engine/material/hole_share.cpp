@@ -32,7 +32,7 @@ const std::vector<double>& even_directions() {
 
 }  // namespace
 
-bool has_table(const Material& material) { return material.impl().table != nullptr; }
+bool has_table(const Material& material) { return table_of(material) != nullptr; }
 
 double hole_share(const Material& material, const std::array<double, 3>& wi, Isa isa) {
   if (!has_table(material)) return 0;

@@ -148,7 +148,7 @@ Result<std::vector<double>> numbers_of(const NamedLobe& lobe, const ModelDescrip
 
 Outcome check_parameter(const NamedLobe& lobe, const Parameter& p, CheckedLobe& checked,
                         ChannelCount& channels) {
-  if (p.kind == Kind::word) return check_choice(lobe, p, checked);
+  if (p.type == ParameterType::word) return check_choice(lobe, p, checked);
   const ParameterValue* given = find(*lobe.spec, p.name);
   if (given == nullptr) return checked.values.set(p.name, {p.start}), Ok{};
   Result<std::vector<double>> numbers = numbers_of(lobe, *checked.model, p, *given, channels);
@@ -158,18 +158,6 @@ Outcome check_parameter(const NamedLobe& lobe, const Parameter& p, CheckedLobe& 
 }
 
 }  // namespace
-
-std::string_view word_of(const CheckedLobe& lobe, std::string_view name) {
-  std::size_t kind = lobe.kind;
-  const auto& parameters = lobe.model->parameters;
-  for (std::size_t i = parameters.size(); i-- > 0;) {
-    if (parameters[i].kind != Kind::word) continue;
-    const std::size_t words = parameters[i].words.size();
-    if (parameters[i].name == name) return parameters[i].words[kind % words];
-    kind /= words;
-  }
-  return {};
-}
 
 Result<CheckedLobe> check_lobe(const NamedLobe& lobe, ChannelCount& channels) {
   Result<const ModelDescription*> model = find_model(lobe.spec->model);

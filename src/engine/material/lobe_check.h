@@ -9,7 +9,7 @@
 #include "gonio/base/result.h"
 #include "gonio/engine/material.h"
 #include "gonio/models/description.h"
-#include "schema/parameter_values.h"
+#include "schema/checked_lobe.h"
 
 namespace gonio {
 
@@ -18,15 +18,6 @@ struct NamedLobe {
   std::string prefix;           // of its fields, in errors
   std::optional<Role> must_be;  // its place in a sum
 };
-
-struct CheckedLobe {
-  const ModelDescription* model;
-  std::size_t kind;                // see prepare()
-  ParameterValues<double> values;  // of the model's table, and the material's rotation
-};
-
-// The word of the parameter `name`, as its kind has it; empty if the model has no such word.
-std::string_view word_of(const CheckedLobe& lobe, std::string_view name);
 
 Result<CheckedLobe> check_lobe(const NamedLobe& lobe, ChannelCount& channels);
 

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/kernels/prepare.h"
 #include "engine/material/lobe_check.h"
 #include "engine/material/material_impl.h"
-#include "gonio/engine/registry.h"
-#include "gonio/measured/table.h"
+#include "engine/material/registry.h"
+#include "measured/merl/part.h"
 
 namespace gonio {
 namespace {
@@ -37,17 +36,6 @@ Result<std::vector<NamedLobe>> list_lobes(const MaterialSpec& spec, std::string_
 
 ErrorBound worse(const ErrorBound& a, const ErrorBound& b) {
   return a.relative < b.relative ? b : a;
-}
-
-// `lobe` says how it is turned.
-void add_part(Material::Impl& material, const CheckedLobe& lobe) {
-  PreparedLobe prepared = prepare(*lobe.model, lobe.kind, lobe.values, material.channels);
-  material.parts.push_back({MaterialPart::Source::analytic, prepared.kernel,
-                            std::move(prepared.constants),
-                            std::make_shared<const CheckedLobe>(lobe)});
-  material.fast = worse(material.fast, lobe.model->fast);
-  material.reference = worse(material.reference, lobe.model->reference);
-  material.bytes += prepared.bytes;
 }
 
 void turn(CheckedLobe& lobe, double degrees) { lobe.values.set(kRotation.name, {degrees}); }
@@ -86,7 +74,7 @@ Result<Material> Material::create(const MaterialSpec& spec, std::string_view pre
   auto impl = std::make_shared<Impl>();
   impl->channels = checked->channels;
   impl->rotation = checked->rotation;
-  for (const CheckedLobe& lobe : checked->lobes) add_part(*impl, lobe);
+  for (const CheckedLobe& lobe : checked->lobes) impl->add(make_part(lobe, impl->channels));
   return Material(std::move(impl));
 }
 
@@ -94,33 +82,25 @@ Material Material::from_table(std::shared_ptr<const MeasuredTable> table,
                               Interpolation interpolation) {
   auto impl = std::make_shared<Impl>();
   impl->channels = MeasuredTable::kChannels;
-  impl->bytes = MeasuredTable::kCells * MeasuredTable::kChannels * sizeof(float);
-  const ModelDescription& description = models().back();
-  impl->fast = description.fast;
-  impl->reference = description.reference;
-  // Keeps the table that it points to alive: parts are evaluated without their material.
-  struct Owner {
-    MeasuredConstants constants;
-    std::shared_ptr<const MeasuredTable> table;
-  };
-  const HoleMap& holes = table->holes();
-  const auto& bits = interpolation == Interpolation::linear ? holes.around : holes.cells;
-  impl->bytes += 2 * bits.size() * sizeof(std::uint64_t);
-  auto owner =
-      std::make_shared<Owner>(Owner{{table->data(), bits.empty() ? nullptr : bits.data()}, table});
-  impl->table = std::move(table);
-  const MeasuredConstants* constants = &owner->constants;
-  impl->parts.push_back({interpolation == Interpolation::linear
-                             ? MaterialPart::Source::measured_linear
-                             : MaterialPart::Source::measured_nearest,
-                         0, std::shared_ptr<const void>(std::move(owner), constants)});
+  impl->add(merl_part(std::move(table), interpolation));
   return Material(std::move(impl));
 }
 
+void Material::Impl::add(Part part) {
+  fast = worse(fast, part.lobe->model->fast);
+  reference = worse(reference, part.lobe->model->reference);
+  bytes += part.made.bytes;
+  parts.push_back(std::move(part));
+}
+
+std::shared_ptr<const MeasuredTable> table_of(const Material& material) {
+  const Part& first = material.impl().parts.front();
+  return first.kind->table == nullptr ? nullptr : first.kind->table(first);
+}
+
 bool Material::has_tangents() const {
-  return std::any_of(impl_->parts.begin(), impl_->parts.end(), [](const MaterialPart& part) {
-    return part.lobe != nullptr && part.lobe->model->has_tangents();
-  });
+  return std::any_of(impl_->parts.begin(), impl_->parts.end(),
+                     [](const Part& part) { return part.lobe->model->has_tangents(); });
 }
 
 Material Material::turned(double degrees) const {
@@ -128,10 +108,10 @@ Material Material::turned(double degrees) const {
   auto impl = std::make_shared<Impl>();
   impl->channels = impl_->channels;
   impl->rotation = std::remainder(impl_->rotation + degrees, 360.0);
-  for (const MaterialPart& part : impl_->parts) {
+  for (const Part& part : impl_->parts) {
     CheckedLobe lobe = *part.lobe;
     turn(lobe, impl->rotation);
-    add_part(*impl, lobe);
+    impl->add(make_part(lobe, impl->channels));
   }
   return Material(std::move(impl));
 }

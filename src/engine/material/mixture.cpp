@@ -15,7 +15,7 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/kernels/flush_to_zero.h"
+#include "engine/material/flush_to_zero.h"
 #include "engine/sampling/strategies.h"
 #include "gonio/engine/random_numbers.h"
 
@@ -102,8 +102,9 @@ class Quadrature {
                              kDrawn,
                              {&wo_[0][at], &wo_[1][at], &wo_[2][at]}};
     };
-    for (const MaterialPart& part : material_.parts) {
-      if (draws(part, sampler_)) draw_part(part, sampler_, table, run());
+    for (std::size_t i = 0; i < material_.parts.size(); ++i) {
+      const Strategy part = strategy(material_, sampler_, i);
+      if (part.draws()) part.draw(Isa::baseline, run());
     }
     table.cosine64(nullptr, run());
   }
@@ -116,8 +117,15 @@ class Quadrature {
                                  {wo_[0].data(), wo_[1].data(), wo_[2].data()},
                                  count_};
     KernelOutput<double> out{values.data(), count_, flags.data(), false};
-    for (const MaterialPart& part : material_.parts) {
-      add_part(part, in, out);
+    std::size_t lobe = 0;
+    for (std::size_t i = 0; i < material_.parts.size(); ++i) {
+      const Strategy part = strategy(material_, sampler_, i);
+      DensityOutput<double> density{nullptr, nullptr, false};
+      if (part.draws()) {
+        density_[lobe].resize(count_);
+        density.pdf = density_[lobe++].data();
+      }
+      part.evaluate(Isa::baseline, in, out, density);
       out.accumulate = true;
     }
     Column& cosine = density_[strategies() - 1];
@@ -131,21 +139,9 @@ class Quadrature {
     }
   }
 
-  void add_part(const MaterialPart& part, const KernelInput<double>& in,
-                const KernelOutput<double>& out) {
-    if (!draws(part, sampler_)) {
-      part.kernels(kernels(Isa::baseline)).reference64(part.constants.get(), in, out);
-      return;
-    }
-    Column& density = density_[next_++];
-    density.resize(count_);
-    evaluate_part(part, sampler_, Isa::baseline, in, out,
-                  DensityOutput<double>{density.data(), nullptr, false});
-  }
-
   const Material::Impl& material_;
   const Sampler::Impl& sampler_;
-  std::size_t count_, next_ = 0;
+  std::size_t count_;
   Column wi_[3], wo_[3], g_;
   std::array<Column, kMaxStrategies> density_;
 };
@@ -174,7 +170,7 @@ void tabulate_shares(const Material::Impl& material, Sampler::Impl& sampler) {
   std::array<Shares, kNodes> with{}, without{};
   const double azimuth = std::numbers::pi / 4 + material.rotation * (std::numbers::pi / 180);
   // A table that knows nothing somewhere needs it.
-  bool cosine = sampler.measured != nullptr;
+  bool cosine = sampler.has_gaps;
   for (int i = 0; i < kNodes; ++i) {
     // The first node stands for what is next to grazing.
     const double root = std::max(i, 1) / (kNodes - 1.0) - (i == 0 ? 0.5 / (kNodes - 1.0) : 0);

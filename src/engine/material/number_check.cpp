@@ -49,7 +49,7 @@ Outcome check_length(const std::string& field, const Parameter& p, std::size_t l
   const auto count = static_cast<std::size_t>(channels.count);
   if (length == 1) return Ok{};
   const std::string given = std::to_string(length) + " numbers";
-  if (p.kind != Kind::colour) return bad_value(field, given, "one number");
+  if (p.type != ParameterType::colour) return bad_value(field, given, "one number");
   if (length == 0) return bad_value(field, "empty", "one number, or one per channel");
   if (length > static_cast<std::size_t>(kMaxChannels)) {
     return bad_value(field, given, "at most " + std::to_string(kMaxChannels) + " channels");

@@ -1,6 +1,6 @@
 #include "gonio/engine/random_numbers.h"
 
-#include "engine/kernels/sampling_kernel.h"
+#include "kernels/sampling_kernel.h"
 
 namespace gonio {
 

@@ -1,9 +1,9 @@
 // Drawing batches of samples.
 #include <cassert>
 
-#include "engine/kernels/direction_flags.h"
-#include "engine/kernels/flush_to_zero.h"
+#include "engine/material/flush_to_zero.h"
 #include "engine/sampling/sampling_run.h"
+#include "kernels/direction_flags.h"
 
 namespace gonio {
 namespace {
@@ -123,7 +123,7 @@ SampleReport sample_all(const Sampler& sampler, const SampleBatch<T>& batch, Isa
         {{wi[0], wi[1], wi[2]}, {scratch.wo[0], scratch.wo[1], scratch.wo[2]}, padded}, n);
     SampleReport here{finished.lost > 0 ? flag::outgoing_below_horizon : std::uint8_t{0},
                       finished.lost};
-    if (finished.bad_wi || numbers.any_bad() || sampler.impl().measured != nullptr)
+    if (finished.bad_wi || numbers.any_bad() || sampler.impl().has_gaps)
       here = settle(n, numbers, run, scratch);
     report.any_flags |= here.any_flags;
     report.lost += here.lost;

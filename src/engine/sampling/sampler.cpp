@@ -8,11 +8,9 @@
 namespace gonio {
 namespace {
 
-using Direction = TableSampling::Direction;
-
 // Of linear red, green and blue (ITU-R BT.709).
-void luminance_of(const Material& material, std::span<const Direction> wi,
-                  std::span<const Direction> wo, std::span<double> luminance) {
+void luminance_of(const Material& material, std::span<const PartDirection> wi,
+                  std::span<const PartDirection> wo, std::span<double> luminance) {
   constexpr std::array kWeights{0.2126, 0.7152, 0.0722};
   std::vector<double> rgb(3 * wi.size());
   evaluate(material,
@@ -26,26 +24,37 @@ void luminance_of(const Material& material, std::span<const Direction> wi,
   }
 }
 
+// What a part draws from; nothing for one that does not draw.
+PartData prepare_sampling(const Part& part, int channels) {
+  if (!part.kind->draws()) return {};
+  if (part.kind->prepare_sampling == nullptr) return {part.made.data, 0};
+  auto alone = std::make_shared<Material::Impl>();
+  alone->channels = channels;
+  alone->add(part);
+  const Material material(std::move(alone));
+  return part.kind->prepare_sampling(
+      part, [&](auto wi, auto wo, auto luminance) { luminance_of(material, wi, wo, luminance); });
+}
+
 }  // namespace
 
 Sampler Sampler::create(const Material& material) {
   auto impl = std::make_shared<Impl>();
-  const auto& parts = material.impl().parts;
-  const auto source = parts.front().source;
-  if (source == MaterialPart::Source::measured_linear ||
-      source == MaterialPart::Source::measured_nearest) {
-    impl->measured = std::make_unique<const TableSampling>(
-        [&](auto wi, auto wo, auto luminance) { luminance_of(material, wi, wo, luminance); });
+  const Material::Impl& whole = material.impl();
+  for (const Part& part : whole.parts) {
+    impl->drawn.push_back(prepare_sampling(part, whole.channels));
+    if (part.kind->draws()) ++impl->lobes;
+    impl->has_gaps = impl->has_gaps || part.kind->has_gaps;
   }
-  impl->lobes = static_cast<int>(std::count_if(
-      parts.begin(), parts.end(), [&](const auto& part) { return draws(part, *impl); }));
   impl->cosine = true;
-  if (impl->lobes > 0) tabulate_shares(material.impl(), *impl);
+  if (impl->lobes > 0) tabulate_shares(whole, *impl);
   return {material, std::move(impl)};
 }
 
 std::size_t Sampler::bytes() const {
-  return sizeof(Impl) + (impl_->measured != nullptr ? impl_->measured->bytes() : 0);
+  std::size_t bytes = sizeof(Impl);
+  for (const PartData& drawn : impl_->drawn) bytes += drawn.bytes;
+  return bytes;
 }
 
 }  // namespace gonio

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "engine/kernels/layout.h"
+#include "engine/material/layout.h"
 #include "engine/sampling/strategies.h"
 
 namespace gonio::sampling {
@@ -75,7 +75,7 @@ class Run {
   // weights, and lost samples get their flag. Where a measured table knows nothing they are lost,
   // too, and not counted yet.
   Finished weigh(const KernelInput<In>& in, std::size_t n) {
-    if (sampler_.measured == nullptr) {
+    if (!sampler_.has_gaps) {
       lobes(in, nullptr, false);
       return finish(in, n, scratch_.flags);
     }
@@ -109,9 +109,10 @@ class Run {
 
   void draw(DrawRun<In> run) {
     if (!is_mixture()) run.chosen = nullptr;
-    for (const MaterialPart& part : material_.parts) {
-      if (!draws(part, sampler_)) continue;
-      draw_part(part, sampler_, sampling_, run);
+    for (std::size_t i = 0; i < material_.parts.size(); ++i) {
+      const Strategy part = strategy(material_, sampler_, i);
+      if (!part.draws()) continue;
+      part.draw(isa_, run);
       ++run.strategy;
     }
     if (sampler_.cosine) cosine_of(sampling_, In())(nullptr, run);
@@ -129,14 +130,13 @@ class Run {
     KernelOutput<Out> out{scratch_.values, padded_, flags, false, tell_holes};
     DensityOutput<Out> density{scratch_.pdf, nullptr, false};
     std::size_t lobe = 0;
-    for (const MaterialPart& part : material_.parts) {
-      if (draws(part, sampler_)) {
-        density.share = is_mixture() ? scratch_.shares[lobe] : nullptr;
-        evaluate_part(part, sampler_, isa_, in, out, density);
+    for (std::size_t i = 0; i < material_.parts.size(); ++i) {
+      const Strategy part = strategy(material_, sampler_, i);
+      density.share = is_mixture() ? scratch_.shares[lobe] : nullptr;
+      part.evaluate(isa_, in, out, density);
+      if (part.draws()) {
         density.accumulate = true;
         ++lobe;
-      } else {
-        kernel_of(part.kernels(kernels(isa_)), In(), Out())(part.constants.get(), in, out);
       }
       out.accumulate = true;
     }

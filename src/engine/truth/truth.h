@@ -7,11 +7,11 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "gonio/engine/material.h"
+#include "kernels/part.h"
 
 namespace gonio {
 
@@ -35,12 +35,8 @@ class Truth {
                 std::span<long double> scale = {}) const;
 
  private:
-  struct Part;
-  Truth() = default;
-  void add(std::shared_ptr<const Part> part) { parts_.push_back(std::move(part)); }
-
-  int channels_ = 1;
-  std::vector<std::shared_ptr<const Part>> parts_;
+  int channels_;
+  std::vector<PartTruth> parts_;
 };
 
 }  // namespace gonio

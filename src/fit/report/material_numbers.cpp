@@ -18,9 +18,10 @@ void append_numbers(const FormLobe& lobe, const LobeSpec& spec, int channels,
                     std::vector<MaterialNumber>& to) {
   for (const Parameter& p : (*find_model(spec.model))->parameters) {
     const auto found = spec.parameters.find(p.name);
-    if (p.kind == Kind::word || found == spec.parameters.end() || is_held(lobe, p)) continue;
+    if (p.type == ParameterType::word || found == spec.parameters.end() || is_held(lobe, p))
+      continue;
     const auto& numbers = std::get<std::vector<double>>(found->second);
-    const bool shared = p.kind == Kind::number || p.name == "eta" || p.name == "k";
+    const bool shared = p.type == ParameterType::number || p.name == "eta" || p.name == "k";
     for (int c = 0; c < (shared ? 1 : channels); ++c) {
       const double value = numbers[numbers.size() == 1 ? 0 : static_cast<std::size_t>(c)];
       to.push_back({lobe.prefix + "parameters." + std::string(p.name), shared ? -1 : c, value, &p});

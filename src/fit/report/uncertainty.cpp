@@ -152,7 +152,7 @@ bool is_open(const Parameter& p, double value, double standard_error, double uni
   // Where a logarithm has no end below, next to nothing is one.
   const double least = p.scale == Scale::logarithmic ? 1e-3 * p.start : p.lower;
   if (interval.lower <= std::max(p.lower, least) && interval.upper >= p.upper) return true;
-  const bool scale = p.kind == Kind::colour && p.upper > 1 && p.scale == Scale::linear;
+  const bool scale = p.type == ParameterType::colour && p.upper > 1 && p.scale == Scale::linear;
   return scale && standard_error > kVague * std::max(value, unit);
 }
 

@@ -57,7 +57,7 @@ inline std::vector<Number> numbers_of(const fit::Form& form) {
     for (const Parameter& p : (*find_model(lobe.words.model))->parameters) {
       const bool own_diffuse = p.name == "rd" && lobe.prefix.rfind("specular", 0) == 0;
       const bool index = p.name == "eta" || p.name == "k";
-      if (p.kind != Kind::colour || index || own_diffuse) continue;
+      if (p.type != ParameterType::colour || index || own_diffuse) continue;
       const auto word = lobe.words.parameters.find(p.used_with.parameter);
       const auto& words = p.used_with.words;
       const bool used =

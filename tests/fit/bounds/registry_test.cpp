@@ -15,7 +15,7 @@ namespace {
 std::vector<LobeSpec> lobes_of(const ModelDescription& model) {
   std::vector<LobeSpec> lobes{{std::string(model.name), {}}};
   for (const Parameter& p : model.parameters) {
-    if (p.kind != Kind::word) continue;
+    if (p.type != ParameterType::word) continue;
     std::vector<LobeSpec> more;
     for (const LobeSpec& lobe : lobes) {
       for (const std::string_view word : p.words) {

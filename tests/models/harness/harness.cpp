@@ -18,7 +18,7 @@ void check_parameter(const Parameter& p, Notes& notes) {
   if (!std::regex_match(name, std::regex("[a-z][a-z0-9_]*"))) notes.add(name + ": not a name");
   if (p.meaning.empty()) notes.add(name + ": no meaning");
   if (p.unit != "1" && p.unit != "rad") notes.add(name + ": unit " + std::string(p.unit));
-  if (p.kind == Kind::word) {
+  if (p.type == ParameterType::word) {
     if (p.words.empty()) notes.add(name + ": no words");
     if (std::set(p.words.begin(), p.words.end()).size() != p.words.size())
       notes.add(name + ": a word twice");

@@ -124,7 +124,7 @@ Findings check_derivatives(const Subject& subject) {
     sampled.f = oracle_values(Oracle<Quad>(draw.spec), sampled.pairs);
     for (const Parameter& p : subject.description.parameters) {
       const std::string name(p.name);
-      if (p.kind == Kind::word || !draw.spec.model->parameters.contains(name)) continue;
+      if (p.type == ParameterType::word || !draw.spec.model->parameters.contains(name)) continue;
       check_one(subject, draw, name, sampled, notes);
     }
   }

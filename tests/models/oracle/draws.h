@@ -47,9 +47,9 @@ inline Parameters draw_parameters(const ModelDescription& model, const Words& wo
   std::size_t numbers_drawn = 0, colours_drawn = 0;
   for (const Parameter& p : model.parameters) {
     if (!usable_with(words, p)) continue;
-    if (p.kind == Kind::word) {
+    if (p.type == ParameterType::word) {
       parameters[std::string(p.name)] = std::string(words.at(p.name));
-    } else if (p.kind == Kind::number) {
+    } else if (p.type == ParameterType::number) {
       parameters[std::string(p.name)] =
           number(at_fraction(p, fractions[numbers_drawn++ % fractions.size()]));
     } else {
@@ -68,7 +68,7 @@ inline Parameters draw_parameters(const ModelDescription& model, const Words& wo
 inline std::vector<Words> word_choices(const ModelDescription& model) {
   std::vector<Words> choices{{}};
   for (const Parameter& p : model.parameters) {
-    if (p.kind != Kind::word) continue;
+    if (p.type != ParameterType::word) continue;
     std::vector<Words> more;
     for (const Words& words : choices) {
       for (const std::string_view word : p.words) {

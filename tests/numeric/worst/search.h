@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/kernels/flush_to_zero.h"
+#include "engine/material/flush_to_zero.h"
 #include "numeric/arrays.h"
 
 namespace gonio::testing {

@@ -59,7 +59,7 @@ class MeasuredTable {
     return invalid_in_[static_cast<std::size_t>(channel)];
   }
   // Cells above the horizon that are invalid, or far darker than what is on both sides of them
-  // (measured/holes.h). Searched for when first asked for (some 50 ms).
+  // (measured/merl/holes.h). Searched for when first asked for (some 50 ms).
   [[nodiscard]] const HoleMap& holes() const;
 
  private:

@@ -4,9 +4,9 @@
 // batch it stands.
 #pragma once
 
-#include "engine/kernels/constants.h"
-#include "engine/kernels/kernel.h"
-#include "engine/kernels/packet_io.h"
+#include "kernels/constants.h"
+#include "kernels/kernel.h"
+#include "kernels/packet_io.h"
 #include "numeric/dual.h"
 #include "numeric/number.h"
 #include "parts/geometry.h"
@@ -43,8 +43,8 @@ GONIO_INLINE void write_value(const Block<N, Kind>& block, std::size_t p,
                               const Constants<Kind, typename N::WideScalar>& constants, int c,
                               typename N::Out* to) {
   using Real = typename N::Real;
-  const Real value = Kind::template value<N>(block.terms[p], constants.wide[c],
-                                             constants.template channel<typename N::RealScalar>(c));
+  const Real value = Kind::template eval<N>(block.terms[p], constants.wide[c],
+                                            constants.template channel<typename N::RealScalar>(c));
   Real result = select(block.valid[p], min(N::largest(), value), Real(0));
   if constexpr (kAccumulate) result = min(N::largest(), added(result, to));
   result.store(to);

@@ -1,9 +1,9 @@
 // Loading packets of directions, and saying what is wrong with the pairs that cannot be evaluated.
 #pragma once
 
-#include "engine/kernels/direction_flags.h"
-#include "engine/kernels/kernel.h"
 #include "gonio/engine/evaluate.h"
+#include "kernels/direction_flags.h"
+#include "kernels/kernel.h"
 #include "numeric/number.h"
 #include "parts/geometry.h"
 

@@ -1,4 +1,4 @@
-#include "measured/table_sampling.h"
+#include "measured/merl/sampling.h"
 
 #include <algorithm>
 #include <cmath>

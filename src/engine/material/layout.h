@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "engine/kernels/kernel.h"
 #include "gonio/engine/evaluate.h"
+#include "kernels/kernel.h"
 
 namespace gonio {
 

@@ -34,20 +34,16 @@ struct KernelOutput {
   bool tell_holes = false;
 };
 
-// A model's constants for all channels, as prepared by prepare.h, behind `constants`.
+// What one function does with a run of pairs. `data` is what the part was prepared as: for an
+// analytic model a Constants (constants.h).
 template <class In, class Out>
-using Kernel = void (*)(const void* constants, const KernelInput<In>&, const KernelOutput<Out>&);
+using Kernel = void (*)(const void* data, const KernelInput<In>&, const KernelOutput<Out>&);
 
-struct KernelSet {
+// Evaluation, by precision and the type of the directions. Derivatives have no `fast`.
+struct EvalKernels {
   Kernel<float, float> fast;
   Kernel<float, double> reference;
   Kernel<double, double> reference64;
-};
-
-// The same for the derivative by the parameter that the constants were prepared for.
-struct DerivativeKernels {
-  Kernel<float, double> of_float;
-  Kernel<double, double> of_double;
 };
 
 // Between interleaved and separate components: n triples, and n pairs of `channels` values.
@@ -58,12 +54,9 @@ struct Layouts {
                T* interleaved);
 };
 
-// Everything that one instruction set offers.
+// What one instruction set offers whatever is evaluated.
 struct KernelTable {
-  int width;                             // lanes of a packet
-  const KernelSet* analytic;             // by kind, in the order of the registry's kinds
-  const DerivativeKernels* derivatives;  // the same
-  KernelSet measured_linear, measured_nearest;
+  int width;  // lanes of a packet
   Layouts<float> layout32;
   Layouts<double> layout64;
 };

@@ -1,13 +1,14 @@
-// Evaluating a measured table (measured_lookup.h): the nearest cell, or between the eight around.
+// Evaluating a measured table (lookup.h): the nearest cell, or between the eight around.
 //
 // Invalid cells hold NaN: their weight goes to the valid ones among the eight; where there are none
 // the value is 0 and the pair is flagged. A pair whose value is partly taken from holes of the
 // table has a flag of its own, if that is asked for.
 #pragma once
 
-#include "engine/kernels/constants.h"
-#include "engine/kernels/measured_lookup.h"
-#include "engine/kernels/packet_io.h"
+#include "kernels/kernel.h"
+#include "kernels/packet_io.h"
+#include "measured/merl/constants.h"
+#include "measured/merl/lookup.h"
 
 namespace gonio::GONIO_ISA {
 
@@ -33,10 +34,10 @@ GONIO_INLINE void note_holes(std::size_t i, unsigned known, Wide cell, const std
 }
 
 template <class N, bool kLinear, class In>
-void measured(const void* constants, const KernelInput<In>& in,
-              const KernelOutput<typename N::Out>& out) {
+void look_up(const void* constants, const KernelInput<In>& in,
+             const KernelOutput<typename N::Out>& out) {
   using Real = typename N::Real;
-  const auto& [table, holes] = *static_cast<const MeasuredConstants*>(constants);
+  const auto& [table, holes] = *static_cast<const merl::Constants*>(constants);
   const bool tell_holes = out.tell_holes && holes != nullptr;
   constexpr int kCorners = kLinear ? 8 : 1;
   for (std::size_t i = 0; i < in.count; i += raw::kWidth) {

@@ -4,8 +4,8 @@
 
 #include <type_traits>
 
-#include "engine/kernels/packet_io.h"
-#include "engine/kernels/sampling_kernel.h"
+#include "kernels/packet_io.h"
+#include "kernels/sampling_kernel.h"
 
 namespace gonio::GONIO_ISA {
 

@@ -1,11 +1,11 @@
-#include "measured/holes.h"
+#include "measured/merl/holes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
-#include "measured/cells.h"
+#include "measured/merl/cells.h"
 
 namespace gonio {
 namespace {

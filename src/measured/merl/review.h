@@ -23,7 +23,7 @@ struct TableReview {
       missing;  // the share of invalid ones; where: the channel that lacks most in the whole table
   CellFinding missing_region;  // the same in the worst range of ten cells of one angle
   CellFinding zeros;           // the share of valid ones that hold 0, in the worst channel
-  CellFinding holes;           // the share of masked ones (measured/holes.h); where: the first
+  CellFinding holes;           // the share of masked ones (measured/merl/holes.h); where: the first
   // Of all cells above the horizon: how many times as bright one is as what lies two and three
   // cells to both sides of it, along two axes at least (beside a hole it may be along one); and the
   // largest f cos(theta_i) cos(theta_o), in 1/sr.

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "engine/kernels/kernel.h"
-#include "engine/kernels/sampling_kernel.h"
+#include "kernels/kernel.h"
+#include "kernels/sampling_kernel.h"
 
 namespace gonio {
 namespace {

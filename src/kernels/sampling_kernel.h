@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/kernels/kernel.h"
 #include "gonio/engine/isa.h"
 #include "gonio/engine/random_numbers.h"
+#include "kernels/kernel.h"
 
 namespace gonio {
 
@@ -30,10 +30,10 @@ struct DensityOutput {
   bool accumulate;
 };
 
-// A lobe's values and densities: what Kernel does, and the densities beside.
+// A part's values and densities: what Kernel does, and the densities beside.
 template <class In, class Out>
-using DensityKernel = void (*)(const void* constants, const KernelInput<In>&,
-                               const KernelOutput<Out>&, const DensityOutput<Out>&);
+using DensityKernel = void (*)(const void* data, const KernelInput<In>&, const KernelOutput<Out>&,
+                               const DensityOutput<Out>&);
 
 // Where samples are drawn: separate components, the count a multiple of the packet's width. Only
 // samples with chosen[i] == strategy are written, all if `chosen` is null.
@@ -47,7 +47,7 @@ struct DrawRun {
   T* wo[3];
 };
 template <class T>
-using Draw = void (*)(const void* constants, const DrawRun<T>&);
+using Draw = void (*)(const void* data, const DrawRun<T>&);
 
 // The shares of all strategies for each wi, strategy k's at shares[k]; and, if xi is not null,
 // which one xi[i] chooses, xi[i] becoming its place in [0, 1) within the share.
@@ -94,17 +94,28 @@ template <class T>
 using RandomNumbers = void (*)(const NumberSource&, std::uint64_t first, std::uint64_t per_wi,
                                std::size_t count, T* const (&xi)[3]);
 
-// Of one kind of model; all null for one that draws no lobe of its own.
+// What a part draws samples with, beside its own values; all null for one that draws none.
 struct SamplingKernels {
-  DensityKernel<float, float> fast;
+  DensityKernel<float, float> fast;  // eval and pdf together
   DensityKernel<float, double> reference;
   DensityKernel<double, double> reference64;
   Draw<float> draw32;
   Draw<double> draw64;
 };
 
+// Everything that a part offers in one instruction set.
+struct PartKernels {
+  EvalKernels eval;
+  SamplingKernels sampling;
+};
+
+// Those of all kinds of one model.
+template <std::size_t kKinds>
+struct KernelArray {
+  PartKernels of[kKinds];
+};
+
 struct SamplingTable {
-  const SamplingKernels* analytic;  // by kind, in the order of the registry's kinds
   Draw<float> cosine32;
   Draw<double> cosine64;
   Share<float> share32;

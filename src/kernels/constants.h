@@ -3,7 +3,6 @@
 
 #include <array>
 #include <bit>
-#include <cstdint>
 #include <type_traits>
 
 #include "gonio/engine/material.h"
@@ -67,11 +66,5 @@ Struct<float> to_float(const Struct<double>& from) {
     return std::bit_cast<Struct<float>>(narrow);
   }
 }
-
-struct MeasuredConstants {
-  const float* table;  // MeasuredTable::data()
-  // A bit a cell: whether a lookup from it meets a hole (HoleMap); null if none does.
-  const std::uint64_t* holes = nullptr;
-};
 
 }  // namespace gonio

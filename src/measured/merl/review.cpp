@@ -1,4 +1,4 @@
-#include "measured/table_review.h"
+#include "measured/merl/review.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "measured/cells.h"
-#include "measured/holes.h"
+#include "measured/merl/cells.h"
+#include "measured/merl/holes.h"
 
 namespace gonio {
 namespace {
