@@ -44,6 +44,7 @@ ParameterInfo parameter_of(const gonio::v1::Parameter& parameter) {
         {preset.name(), {preset.values().begin(), preset.values().end()}, preset.source()});
   }
   info.preset_partner = parameter.preset_partner();
+  info.file = parameter.file();
   return info;
 }
 

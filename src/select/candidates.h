@@ -1,8 +1,8 @@
-// The materials that a selection tries: every model of the registry in every combination of its
-// words, alone, over a lambertian base and, where a lobe has one shape, as two lobes over one; the
-// anisotropic ones once with their two numbers held equal and once not. The fit turns the latter's
-// axes where the reference's are; the price is that of the unturned kernels, which a turned ggx
-// exceeds by a fifth, ward and ashikhmin_shirley by a twentieth.
+// The materials that a selection tries: every model of the registry that can be fitted, in every
+// combination of its words, alone, over the plainest diffuse model and, where a lobe has one shape,
+// as two lobes over that; the anisotropic ones once with their two numbers held equal and once not.
+// The fit turns the latter's axes where the reference's are; the price is that of the unturned
+// kernels, which a turned material exceeds by a twentieth to a fifth.
 #pragma once
 
 #include <string>

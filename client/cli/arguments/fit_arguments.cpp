@@ -103,9 +103,9 @@ void add_how(CLI::App& command, FitArguments& arguments) {
   arguments::add_flag(command, "--polish", arguments.polish, "End with a descent on all pairs");
 }
 
-// "NAME:FRESNEL" taken apart.
+// "NAME:WORD" taken apart.
 struct Wanted {
-  std::string name, fresnel;
+  std::string name, word;
 };
 
 Wanted take_apart(const std::string& argument) {
@@ -114,9 +114,11 @@ Wanted take_apart(const std::string& argument) {
   return {argument.substr(0, colon), argument.substr(colon + 1)};
 }
 
-const client::ParameterInfo* fresnel_of(const client::ModelInfo& model) {
+// Of the server's model, what a word after its name chooses; null if nothing.
+const client::ParameterInfo* choice_of(const client::ModelInfo& model) {
+  const Parameter* choice = choice_in_fits(model.name);
   for (const auto& parameter : model.parameters) {
-    if (parameter.name == "fresnel") return &parameter;
+    if (choice != nullptr && parameter.name == choice->name) return &parameter;
   }
   return nullptr;
 }
@@ -133,41 +135,50 @@ std::string near_word(const std::string& word, const std::vector<std::string>& w
   return did_you_mean(word, std::span<const std::string>(words));
 }
 
-Outcome check_base(const std::string& base, const client::Catalogue& catalogue) {
+// What stands under the lobes: as given, else the first diffuse model that is one number.
+Result<std::string> base_of(const FitArguments& arguments, const client::Catalogue& catalogue) {
+  constexpr const char* kNone = "none";
   std::vector<std::string> allowed;
+  std::string plainest = kNone;
   for (const auto& model : catalogue.models) {
-    if (model.role == client::Role::diffuse) allowed.push_back(model.name);
+    if (model.role != client::Role::diffuse) continue;
+    allowed.push_back(model.name);
+    if (plainest == kNone && model.parameters.size() == 1) plainest = model.name;
   }
-  allowed.emplace_back("none");
-  if (std::find(allowed.begin(), allowed.end(), base) != allowed.end()) return Ok{};
+  allowed.emplace_back(kNone);
+  const std::string base = arguments.base.value_or(plainest);
+  if (std::find(allowed.begin(), allowed.end(), base) != allowed.end()) return base;
   return unknown_word("--base", base, std::span<const std::string>(allowed));
 }
 
+// A lobe with the word that is wanted, or else with that of its table.
+Result<client::Lobe> lobe_of(const client::ModelInfo& model, const std::string& wanted) {
+  const client::ParameterInfo* choice = choice_of(model);
+  if (choice == nullptr && wanted.empty()) return client::Lobe{model.name, {}};
+  const std::string word =
+      wanted.empty() ? std::string(choice_in_fits(model.name)->fit_word) : wanted;
+  const std::string given = "\"" + model.name + ":" + word + "\"";
+  if (choice == nullptr)
+    return bad_value("--model", given, model.name + ", which takes no Fresnel term");
+  const auto& words = choice->words;
+  if (std::find(words.begin(), words.end(), word) == words.end())
+    return bad_value("--model", given, joined(words, ", ") + near_word(word, words));
+  return client::Lobe{model.name, {{choice->name, word}}};
+}
+
 Result<FitForm> form_of(const client::ModelInfo& model, const std::string& wanted,
-                        const FitArguments& arguments) {
-  const client::ParameterInfo* fresnel = fresnel_of(model);
-  client::Lobe lobe{model.name, {}};
-  if (!wanted.empty() || fresnel != nullptr) {
-    const std::string word = wanted.empty() ? "dielectric" : wanted;
-    const bool known = fresnel != nullptr && std::find(fresnel->words.begin(), fresnel->words.end(),
-                                                       word) != fresnel->words.end();
-    if (!known) {
-      return bad_value("--model", "\"" + model.name + ":" + word + "\"",
-                       fresnel == nullptr
-                           ? model.name + ", which takes no Fresnel term"
-                           : joined(fresnel->words, ", ") + near_word(word, fresnel->words));
-    }
-    lobe.parameters["fresnel"] = word;
-  }
+                        const std::string& base, const FitArguments& arguments) {
+  const auto lobe = lobe_of(model, wanted);
+  if (!lobe) return lobe.error();
   const std::string name = wanted.empty() ? model.name : model.name + ":" + wanted;
-  client::Material form = model.role == client::Role::diffuse
-                              ? client::Material::model(model.name)
-                              : over(arguments.base, lobe, arguments.lobes);
+  client::Material form = model.role == client::Role::diffuse ? client::Material::model(model.name)
+                                                              : over(base, *lobe, arguments.lobes);
   return FitForm{name, arguments.rotation ? form.rotated(*arguments.rotation) : std::move(form)};
 }
 
 bool can_be_fitted(const client::ModelInfo& model) {
-  return model.role == client::Role::diffuse || model.role == client::Role::specular;
+  const bool analytic = model.role == client::Role::diffuse || model.role == client::Role::specular;
+  return analytic && is_fitted(model.name);
 }
 
 }  // namespace
@@ -214,7 +225,8 @@ client::FitOptions fit_options(const FitArguments& arguments) {
 
 Result<std::vector<FitForm>> fit_forms(const FitArguments& arguments,
                                        const client::Catalogue& catalogue) {
-  if (auto good = check_base(arguments.base, catalogue); !good) return good.error();
+  const auto base = base_of(arguments, catalogue);
+  if (!base) return base.error();
   std::vector<FitForm> forms;
   std::vector<std::string> names;
   for (const auto& model : catalogue.models) {
@@ -234,7 +246,7 @@ Result<std::vector<FitForm>> fit_forms(const FitArguments& arguments,
     if (model == catalogue.models.end())
       return bad_value("--model", "\"" + name + "\"",
                        "all, " + joined(names, ", ") + near_word(name, names));
-    auto form = form_of(*model, parts.fresnel, arguments);
+    auto form = form_of(*model, parts.word, *base, arguments);
     if (!form) return form.error();
     forms.push_back(std::move(*form));
   }

@@ -17,7 +17,7 @@ struct FitArguments {
   std::vector<std::string> models;
   std::string objective = "l1";
   std::string strategy = "auto";
-  std::string base = "lambertian";  // a diffuse model, or "none"
+  std::optional<std::string> base;  // a diffuse model, or "none"; else the plainest diffuse one
   int lobes = 1;
   double min_theta = 0, max_theta = 90;  // degrees
   unsigned starts = 6;
@@ -43,7 +43,7 @@ struct FitForm {
 };
 
 // One for each of `--model`; "all" is every analytic model. Errors: a model or base that does not
-// exist, or a model that lacks the Fresnel term that is asked for.
+// exist, or a model that lacks the word that is asked for.
 Result<std::vector<FitForm>> fit_forms(const FitArguments& arguments,
                                        const client::Catalogue& catalogue);
 

@@ -52,34 +52,46 @@ Reason not_the_model(const Certificate& report) {
   return {};
 }
 
-bool ends_with(const std::string& field, std::string_view end) {
-  return field.size() >= end.size() &&
-         field.compare(field.size() - end.size(), end.size(), end) == 0;
-}
-
 Reason at_bound(const std::vector<std::string>& fields) {
   if (fields.empty()) return {};
   return "at its bound: " + joined(fields);
 }
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// The bounds of a form's colours as a report names them, "specular[0].parameters.scale (upper)".
+struct ColourBoundNames {
+  std::vector<std::string> lower, lobe_upper;  // of all; of what multiplies a whole lobe
+
+  explicit ColourBoundNames(const Form& form) {
+    for (const FormLobe& lobe : form.lobes) {
+      for (const ColourMember member : lobe.colours.members()) {
+        const std::string field = field_of(lobe.prefix, lobe.colours.parameter(member));
+        lower.push_back(field + " (lower)");
+        if (member == &Colour::scale) lobe_upper.push_back(field + " (upper)");
+      }
+    }
+  }
+};
+
 // The data want more light than the model's table allows, whatever its shapes.
-Reason too_dark(const Certificate& report) {
+Reason too_dark(const Form& form, const Certificate& report) {
+  const ColourBoundNames names(form);
   std::vector<std::string> fields;
-  for (const std::string& field : report.active_bounds) {
-    if (ends_with(field, ".scale (upper)")) fields.push_back(field);
+  for (const std::string& bound : report.active_bounds) {
+    if (contains(names.lobe_upper, bound)) fields.push_back(bound);
   }
   return at_bound(fields);
 }
 
 // A colour of zero is one like any other; the other bounds hold an optimum.
-Reason held(const Certificate& report) {
-  constexpr std::array<std::string_view, 4> kBlack{".rd (lower)", ".rs (lower)", ".f0 (lower)",
-                                                   ".scale (lower)"};
+Reason held(const Form& form, const Certificate& report) {
+  const ColourBoundNames names(form);
   std::vector<std::string> fields;
-  for (const std::string& field : report.active_bounds) {
-    const bool black = std::any_of(kBlack.begin(), kBlack.end(),
-                                   [&](std::string_view end) { return ends_with(field, end); });
-    if (!black) fields.push_back(field);
+  for (const std::string& bound : report.active_bounds) {
+    if (!contains(names.lower, bound)) fields.push_back(bound);
   }
   return at_bound(fields);
 }
@@ -88,17 +100,15 @@ Reason held(const Certificate& report) {
 Reason invisible(const Form& form, std::span<const double> parameters, int channels) {
   for (const FormLobe& lobe : form.lobes) {
     double height = 0;
-    for (int c = 0; c < channels; ++c) {
-      for (std::size_t k = 0; k < lobe.coefficient_count; ++k) {
-        height += parameters[form.shapes.size() + static_cast<std::size_t>(c) * form.coefficients +
-                             lobe.first_coefficient + k];
-      }
+    for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
+      const std::size_t first = form.first_of(lobe, c);
+      for (std::size_t k = 0; k < lobe.coefficient_count; ++k) height += parameters[first + k];
     }
     const auto index = static_cast<std::size_t>(&lobe - form.lobes.data());
     const bool has_shape = std::any_of(form.shapes.begin(), form.shapes.end(),
                                        [&](const ShapeParameter& s) { return s.lobe == index; });
     if (has_shape && !(height > 0))
-      return "the lobe " + lobe.words.model + " has no height: its shape is arbitrary";
+      return "the lobe " + std::string(lobe.model->name) + " has no height: its shape is arbitrary";
   }
   return {};
 }
@@ -200,12 +210,12 @@ void decide(const Form& form, std::span<const double> parameters, const Data& fi
     report.reason = *reason;
   };
   take(Verdict::failed, not_the_model(report));
-  take(Verdict::bound_limited, too_dark(report));
+  take(Verdict::bound_limited, too_dark(form, report));
   take(Verdict::ambiguous, too_few(form, fitted));
   take(Verdict::ambiguous, invisible(form, parameters, fitted.channels));
   take(Verdict::ambiguous, other_basin(form, report));
   take(Verdict::ambiguous, wide_profile(report));
-  take(Verdict::bound_limited, held(report));
+  take(Verdict::bound_limited, held(form, report));
   take(Verdict::ambiguous, unseen(report));
   take(Verdict::ambiguous, undetermined(report));
   take(Verdict::ambiguous, vague(report));

@@ -6,7 +6,6 @@
 
 #include "fit/data/pattern.h"
 #include "fit/report/uncertainty.h"
-#include "gonio/engine/registry.h"
 
 namespace gonio::fit {
 namespace {
@@ -30,7 +29,7 @@ std::optional<std::size_t> shape_named(const Form& form, std::size_t lobe, std::
 // Swaps what belongs to u and v in every lobe.
 void swap_tangents(const Form& form, std::vector<double>& shapes) {
   for (std::size_t lobe = 0; lobe < form.lobes.size(); ++lobe) {
-    const ModelDescription& model = **find_model(form.lobes[lobe].words.model);
+    const ModelDescription& model = *form.lobes[lobe].model;
     if (!model.has_tangents()) continue;
     const auto u = shape_named(form, lobe, model.along_tangents[0]),
                v = shape_named(form, lobe, model.along_tangents[1]);
