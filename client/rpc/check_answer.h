@@ -7,7 +7,7 @@
 #include <string>
 
 #include "client/messages/request_head.h"
-#include "client/rpc/chunks.h"
+#include "client/rpc/chunk.h"
 #include "client/rpc/rpc.h"
 #include "gonio/base/result.h"
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "client/calls/evaluation.h"
+#include "client/calls/batch_call.h"
 #include "client/rpc/rpc.h"
 #include "gonio/client/client.h"
 
@@ -14,14 +14,14 @@ struct Client::State {
   Peer peer;
   ClientOptions options;
 
-  [[nodiscard]] Evaluation evaluation(const Material& material, Precision precision,
-                                      const EvaluateOptions& evaluate_options) const {
+  [[nodiscard]] BatchCall batch_call(const Material& material, Precision precision,
+                                     const EvaluateOptions& evaluate_options) const {
     return {peer, options, evaluate_options, material,
             RequestHead::evaluate(material, precision, evaluate_options)};
   }
   // `head`: of another kind.
-  [[nodiscard]] Evaluation evaluation(const Material& material, RequestHead head,
-                                      const EvaluateOptions& evaluate_options) const {
+  [[nodiscard]] BatchCall batch_call(const Material& material, RequestHead head,
+                                     const EvaluateOptions& evaluate_options) const {
     return {peer, options, evaluate_options, material, std::move(head)};
   }
 };

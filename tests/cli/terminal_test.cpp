@@ -6,7 +6,7 @@
 
 #include "cli/support/run_process.h"
 #include "client/cli/output/text.h"
-#include "client/cli/scene/json.h"
+#include "client/cli/output/json.h"
 #include "data_folder.h"
 
 namespace gonio::test {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "client/cli/arguments/fit_arguments.h"
+#include "client/cli/arguments/fit_forms.h"
 #include "client/cli/commands/commands.h"
 #include "client/cli/input/file_kind.h"
 #include "client/cli/input/measured_input.h"
@@ -17,7 +18,7 @@
 #include "client/cli/output/terminal.h"
 #include "client/cli/report/fit_page.h"
 #include "client/cli/report/fit_table.h"
-#include "client/cli/scene/json.h"
+#include "client/cli/output/json.h"
 #include "server/arguments/options.h"
 
 namespace gonio::cli {

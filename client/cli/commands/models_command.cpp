@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "client/cli/arguments/presets.h"
+#include "client/cli/report/presets.h"
 #include "client/cli/commands/commands.h"
 #include "client/cli/connection/connection.h"
 #include "client/cli/output/exit_codes.h"

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "client/cli/output/numbers.h"
-#include "client/cli/scene/json.h"
+#include "client/cli/output/json.h"
 
 namespace gonio::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "client/cli/arguments/presets.h"
+#include "client/cli/report/presets.h"
 #include "client/cli/output/numbers.h"
 #include "client/cli/output/text.h"
 #include "client/cli/report/model_page.h"

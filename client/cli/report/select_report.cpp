@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "client/cli/output/text.h"
-#include "client/cli/scene/json.h"
+#include "client/cli/output/json.h"
 
 namespace gonio::cli {
 namespace {

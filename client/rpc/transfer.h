@@ -1,9 +1,9 @@
-// An evaluation, or a drawing of samples, on its way: chunks out, answers in, over one call or as
-// many streams as it takes. Internal to the client library.
+// Sends the chunks of an evaluation or of a drawing of samples, and takes their answers, over one
+// unary call or over streams. Internal to the client library.
 //
-// Chunks are numbered; answers are matched by number and may come in any order. A chunk is kept
-// until it is answered, so that it can be sent again on the next stream when one breaks. Thread
-// safety: used by one thread.
+// Chunks are numbered. Answers are matched by number and may come in any order. A chunk is kept
+// until it is answered: when a stream breaks, it is sent again on the next one. Thread safety: used
+// by one thread.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 #include <string_view>
 
 #include "client/messages/request_head.h"
-#include "client/rpc/chunks.h"
+#include "client/rpc/chunk.h"
 #include "client/rpc/retry.h"
 #include "client/rpc/rpc.h"
 #include "client/rpc/stream.h"
@@ -22,10 +22,10 @@
 
 namespace gonio::client {
 
-class Exchange {
+class Transfer {
  public:
-  // All of these outlive the exchange.
-  Exchange(const Peer& peer, const ClientOptions& options, const RequestHead& head,
+  // All of these outlive the transfer.
+  Transfer(const Peer& peer, const ClientOptions& options, const RequestHead& head,
            Patience& patience, ChunkSource& source, ChunkReceiver& receiver);
 
   // Everything in one unary call; `limit` is at least the number of pairs.

@@ -1,10 +1,10 @@
-#include "client/cli/arguments/presets.h"
+#include "client/cli/report/presets.h"
 
 #include <algorithm>
 
 #include "client/cli/output/numbers.h"
 #include "client/cli/output/text.h"
-#include "client/cli/scene/json.h"
+#include "client/cli/output/json.h"
 
 namespace gonio::cli {
 namespace {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "client/rpc/chunks.h"
+#include "client/rpc/pair_transfer.h"
 #include "wire/fields.h"
 
 namespace gonio::client {

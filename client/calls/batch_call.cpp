@@ -1,10 +1,10 @@
-#include "client/calls/evaluation.h"
+#include "client/calls/batch_call.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "client/rpc/exchange.h"
+#include "client/rpc/transfer.h"
 
 namespace gonio::client {
 namespace {
@@ -14,9 +14,9 @@ constexpr std::size_t kMaxAnswerBytes = std::size_t{3} << 20;
 
 }  // namespace
 
-Evaluation::Evaluation(const Peer& peer, const ClientOptions& options,
-                       const EvaluateOptions& evaluate_options, const Material& material,
-                       RequestHead head)
+BatchCall::BatchCall(const Peer& peer, const ClientOptions& options,
+                     const EvaluateOptions& evaluate_options, const Material& material,
+                     RequestHead head)
     : peer_(peer),
       options_(options),
       evaluate_options_(evaluate_options),
@@ -24,14 +24,14 @@ Evaluation::Evaluation(const Peer& peer, const ClientOptions& options,
       patience_(options, evaluate_options.deadline),
       head_(std::move(head)) {}
 
-std::size_t Evaluation::chunk_limit(std::size_t channels) const {
+std::size_t BatchCall::chunk_limit(std::size_t channels) const {
   const bool f64 = head_.precision() == Precision::reference;
   const std::size_t numbers = channels + (head_.wants_pdf() ? 1 : 0) + (head_.wants_wo() ? 3 : 0);
   const std::size_t pair_bytes = numbers * (f64 ? sizeof(double) : sizeof(float));
   return std::min(options_.chunk_pairs, std::max<std::size_t>(kMaxAnswerBytes / pair_bytes, 1));
 }
 
-Result<Report> Evaluation::probe() {
+Result<Report> BatchCall::probe() {
   static constexpr std::array<float, 3> kNormal = {0, 0, 1};
   class Nowhere final : public ChunkReceiver {
     [[nodiscard]] bool ordered() const override { return false; }
@@ -41,9 +41,9 @@ Result<Report> Evaluation::probe() {
   EvaluateOptions options = evaluate_options_;
   options.pdf = false;
   const RequestHead head = RequestHead::evaluate(material_, head_.precision(), options);
-  Exchange exchange(peer_, options_, head, patience_, source, receiver);
-  if (auto outcome = exchange.run_call(1); !outcome) return outcome.error();
-  return exchange.report();
+  Transfer transfer(peer_, options_, head, patience_, source, receiver);
+  if (auto outcome = transfer.run_call(1); !outcome) return outcome.error();
+  return transfer.report();
 }
 
 Report about_nothing(Report probed) {
@@ -52,20 +52,20 @@ Report about_nothing(Report probed) {
   return probed;
 }
 
-Result<Report> Evaluation::probe_for_nothing() {
+Result<Report> BatchCall::probe_for_nothing() {
   auto report = probe();
   if (!report) return report;
   return about_nothing(*report);
 }
 
-Result<Report> Evaluation::run(ChunkSource& source, ChunkReceiver& receiver, std::size_t channels,
-                               std::optional<std::uint64_t> total) {
+Result<Report> BatchCall::run(ChunkSource& source, ChunkReceiver& receiver, std::size_t channels,
+                              std::optional<std::uint64_t> total) {
   const std::size_t limit = chunk_limit(channels);
-  Exchange exchange(peer_, options_, head_, patience_, source, receiver);
+  Transfer transfer(peer_, options_, head_, patience_, source, receiver);
   const bool one_call = total && *total <= limit;
-  auto outcome = one_call ? exchange.run_call(limit) : exchange.run_stream(limit);
+  auto outcome = one_call ? transfer.run_call(limit) : transfer.run_stream(limit);
   if (!outcome) return outcome.error();
-  return exchange.report();
+  return transfer.report();
 }
 
 Outcome check_result_lengths(const char* items, std::uint64_t count, const char* name,

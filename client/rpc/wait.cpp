@@ -1,4 +1,4 @@
-#include "client/rpc/attend.h"
+#include "client/rpc/wait.h"
 
 #include <grpcpp/completion_queue.h>
 
@@ -32,14 +32,14 @@ class EmptyQueue {
 
 }  // namespace
 
-void attend_until(Clock::time_point until, const std::function<bool()>& done) {
+void wait_until(Clock::time_point until, const std::function<bool()>& done) {
   EmptyQueue queue;
   while (!done() && Clock::now() < until) {
     queue.wait(std::min(until, Clock::now() + std::chrono::milliseconds(1)));
   }
 }
 
-void attend_until(Clock::time_point until) {
+void wait_until(Clock::time_point until) {
   EmptyQueue queue;
   while (Clock::now() < until) queue.wait(until);
 }

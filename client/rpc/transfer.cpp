@@ -1,4 +1,4 @@
-#include "client/rpc/exchange.h"
+#include "client/rpc/transfer.h"
 
 #include <algorithm>
 #include <string>
@@ -17,7 +17,7 @@ constexpr std::uint32_t kSlot = 0;  // one material a stream
 
 }  // namespace
 
-Exchange::Exchange(const Peer& peer, const ClientOptions& options, const RequestHead& head,
+Transfer::Transfer(const Peer& peer, const ClientOptions& options, const RequestHead& head,
                    Patience& patience, ChunkSource& source, ChunkReceiver& receiver)
     : peer_(peer),
       head_(head),
@@ -28,7 +28,7 @@ Exchange::Exchange(const Peer& peer, const ClientOptions& options, const Request
   report_.precision = head_.precision();
 }
 
-std::string_view Exchange::head_for(const OutgoingChunk& chunk, bool with_material) {
+std::string_view Transfer::head_for(const OutgoingChunk& chunk, bool with_material) {
   const auto head = with_material ? head_.with_material() : head_.without_material();
   if (chunk.head.empty()) return head;
   head_with_rest_ = head;
@@ -36,7 +36,7 @@ std::string_view Exchange::head_for(const OutgoingChunk& chunk, bool with_materi
   return head_with_rest_;
 }
 
-Outcome Exchange::run_call(std::size_t limit) {
+Outcome Transfer::run_call(std::size_t limit) {
   auto next = source_.next(limit);
   if (!next) return next.error();
   if (!*next) return Ok{};
@@ -49,7 +49,7 @@ Outcome Exchange::run_call(std::size_t limit) {
   return deliver(chunk, *answer);
 }
 
-Outcome Exchange::run_stream(std::size_t limit) {
+Outcome Transfer::run_stream(std::size_t limit) {
   limit_ = limit;
   for (;;) {
     Stream stream(peer_, head_.method().stream, patience_);
@@ -62,7 +62,7 @@ Outcome Exchange::run_stream(std::size_t limit) {
   }
 }
 
-Result<bool> Exchange::run_one_stream(Stream& stream) {
+Result<bool> Transfer::run_one_stream(Stream& stream) {
   bool with_material = true;
   for (;;) {
     if (stream.writable()) {
@@ -85,7 +85,7 @@ Result<bool> Exchange::run_one_stream(Stream& stream) {
   }
 }
 
-Result<std::optional<std::uint64_t>> Exchange::choose_next() {
+Result<std::optional<std::uint64_t>> Transfer::choose_next() {
   std::size_t unanswered = 0;
   for (const auto& [sequence, pending] : pending_) {
     if (pending.state == State::to_send) return std::optional(sequence);
@@ -102,7 +102,7 @@ Result<std::optional<std::uint64_t>> Exchange::choose_next() {
   return std::optional(next_sequence_++);
 }
 
-Result<bool> Exchange::send_next(Stream& stream, bool& with_material) {
+Result<bool> Transfer::send_next(Stream& stream, bool& with_material) {
   auto sequence = choose_next();
   if (!sequence) return sequence.error();
   if (!*sequence) return false;
@@ -116,25 +116,25 @@ Result<bool> Exchange::send_next(Stream& stream, bool& with_material) {
 
 // One full queue refuses all the chunks that come to it: only when the last of them is back is it
 // time to pause, once for all.
-bool Exchange::only_refused_left() const {
+bool Transfer::only_refused_left() const {
   const auto on_its_way = [](const auto& one) { return one.second.state == State::on_its_way; };
   return !pending_.empty() && std::ranges::none_of(pending_, on_its_way);
 }
 
 // An answer leaves room for another chunk in the server's queue.
-void Exchange::send_one_refused_again() {
+void Transfer::send_one_refused_again() {
   for (auto& [sequence, pending] : pending_) {
     if (pending.state == State::refused) return void(pending.state = State::to_send);
   }
 }
 
-void Exchange::send_again() {
+void Transfer::send_again() {
   for (auto& [sequence, pending] : pending_) {
     if (pending.state != State::answered) pending.state = State::to_send;
   }
 }
 
-Outcome Exchange::take(const grpc::ByteBuffer& message) {
+Outcome Transfer::take(const grpc::ByteBuffer& message) {
   auto response = head_.method().decode_stream(message);
   if (!response) return malformed(peer_, response.error().message);
   const auto found = pending_.find(response->sequence);
@@ -150,14 +150,14 @@ Outcome Exchange::take(const grpc::ByteBuffer& message) {
   return take_answer(response->sequence, std::get<Answer>(std::move(response->result)));
 }
 
-Outcome Exchange::take_error(std::uint64_t sequence, const gonio::v1::ErrorDetail& detail) {
+Outcome Transfer::take_error(std::uint64_t sequence, const gonio::v1::ErrorDetail& detail) {
   refusal_ = failure_of(detail);
   if (!refusal_.may_retry) return refusal_.error;
   pending_.at(sequence).state = State::refused;
   return Ok{};
 }
 
-Outcome Exchange::take_answer(std::uint64_t sequence, Answer answer) {
+Outcome Transfer::take_answer(std::uint64_t sequence, Answer answer) {
   if (!receiver_.ordered()) {
     auto taken = pending_.extract(sequence);
     return deliver(taken.mapped().chunk, answer);
@@ -174,7 +174,7 @@ Outcome Exchange::take_answer(std::uint64_t sequence, Answer answer) {
   return Ok{};
 }
 
-Outcome Exchange::deliver(const OutgoingChunk& chunk, const Answer& answer) {
+Outcome Transfer::deliver(const OutgoingChunk& chunk, const Answer& answer) {
   if (auto fit = check_lengths(peer_, head_, chunk, answer, report_.channels); !fit) return fit;
   const gonio::v1::Report& cost = answer.report;
   if (report_.channels == 0) {

@@ -1,5 +1,5 @@
-// One evaluation, or drawing of samples: from what the caller asks for to the calls and chunks that
-// do it. Internal to the client library.
+// One call of the client for a batch: an evaluation, or a drawing of samples. It decides how large
+// the chunks are, and between a unary call and streams. Internal to the client library.
 //
 // Thread safety: used by one thread.
 #pragma once
@@ -10,7 +10,7 @@
 #include <type_traits>
 
 #include "client/messages/request_head.h"
-#include "client/rpc/chunks.h"
+#include "client/rpc/chunk.h"
 #include "client/rpc/retry.h"
 #include "client/rpc/rpc.h"
 #include "gonio/base/result.h"
@@ -20,17 +20,16 @@ namespace gonio::client {
 
 inline constexpr std::size_t kMaxChannels = 64;
 
-class Evaluation {
+class BatchCall {
  public:
-  // `material` outlives the evaluation.
-  Evaluation(const Peer& peer, const ClientOptions& options,
-             const EvaluateOptions& evaluate_options, const Material& material, RequestHead head);
+  // `material` outlives the call.
+  BatchCall(const Peer& peer, const ClientOptions& options, const EvaluateOptions& evaluate_options,
+            const Material& material, RequestHead head);
 
-  // Evaluates one pair along the normal: what the material is, without any pairs of the caller's.
+  // Evaluates one pair along the normal. The report says what the material is.
   Result<Report> probe();
 
-  // The same with the cost of nothing, for a caller who has no pairs: the material is checked all
-  // the same, and the report says what it is.
+  // The same for a caller without pairs: the material is checked, the report counts no pairs.
   Result<Report> probe_for_nothing();
 
   // Everything that `source` has, at most `total` pairs if that is known, for a material of

@@ -1,15 +1,16 @@
-// The two ends of a drawing of samples: chunks of directions wi out, samples in. Internal to the
-// client library.
+// The two ends of a transfer of samples: sources of directions wi, and receivers of the samples.
+// Internal to the client library.
 //
-// A chunk names its run by the number of its first wi and the run within the samples of those it
-// carries, so that each can be sent, and sent again, by itself. Used on the calling thread only.
+// A chunk names its run by the number of its first wi, and the run within the samples of the wi
+// that it carries. So each chunk can be sent, and sent again, without the others. Thread safety:
+// used by the calling thread only.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "client/rpc/chunks.h"
+#include "client/rpc/chunk.h"
 #include "gonio/client/client.h"
 
 namespace gonio::client {

@@ -1,4 +1,4 @@
-#include "client/cli/scene/json.h"
+#include "client/cli/output/json.h"
 
 #include <google/protobuf/util/json_util.h>
 #include <google/protobuf/wrappers.pb.h>
