@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "client/rpc/transfer.h"
+#include "client/transfer/transfer.h"
 
 namespace gonio::client {
 namespace {

@@ -10,9 +10,9 @@
 #include <type_traits>
 
 #include "client/messages/request_head.h"
-#include "client/rpc/chunk.h"
 #include "client/rpc/retry.h"
 #include "client/rpc/rpc.h"
+#include "client/transfer/chunk.h"
 #include "gonio/base/result.h"
 #include "gonio/client/client.h"
 

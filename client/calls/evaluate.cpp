@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "client/calls/batch_call.h"
-#include "client/rpc/pair_transfer.h"
-#include "client/rpc/state.h"
+#include "client/calls/state.h"
+#include "client/transfer/pair_transfer.h"
 #include "gonio/client/client.h"
 
 namespace gonio::client {

@@ -2,8 +2,8 @@
 #include <optional>
 #include <string>
 
-#include "client/rpc/sample_transfer.h"
-#include "client/rpc/state.h"
+#include "client/calls/state.h"
+#include "client/transfer/sample_transfer.h"
 #include "gonio/client/client.h"
 
 namespace gonio::client {

@@ -1,14 +1,10 @@
 #include "client/cli/arguments/fit_arguments.h"
 
-#include <algorithm>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <utility>
 
-#include "base/near_names.h"
 #include "client/cli/output/numbers.h"
-#include "client/cli/output/text.h"
 #include "client/cli/tool/known_names.h"
 #include "server/arguments/options.h"
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/text/join.h"
 #include "client/cli/arguments/material_argument.h"
 #include "client/cli/output/terminal.h"
-#include "client/cli/output/text.h"
 #include "engine/material/material_impl.h"
 #include "server/materials/materials.h"
 

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
+#include "base/text/join.h"
+#include "client/cli/output/json.h"
 #include "client/cli/output/numbers.h"
 #include "client/cli/output/text.h"
-#include "client/cli/output/json.h"
 
 namespace gonio::cli {
 namespace {

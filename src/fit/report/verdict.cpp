@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text/join.h"
 #include "fit/report/substance.h"
 #include "fit/search/rotation.h"
 #include "fit/search/same_place.h"
@@ -31,12 +32,6 @@ std::string number(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", x);
   return text;
-}
-
-std::string joined(const std::vector<std::string>& fields) {
-  std::string all;
-  for (const std::string& field : fields) all += (all.empty() ? "" : ", ") + field;
-  return all;
 }
 
 // Light that is measured where no lobe of these models can be.

@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "client/rpc/chunk.h"
 #include "client/rpc/loan.h"
+#include "client/transfer/chunk.h"
 #include "gonio/base/result.h"
 #include "gonio/client/client.h"
 #include "gonio/v1/directions.pb.h"

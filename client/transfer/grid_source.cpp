@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "client/rpc/pair_transfer.h"
+#include "client/transfer/pair_transfer.h"
 #include "wire/fields.h"
 
 namespace gonio::client {

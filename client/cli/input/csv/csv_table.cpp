@@ -1,4 +1,4 @@
-#include "client/cli/input/csv_table.h"
+#include "client/cli/input/csv/csv_table.h"
 
 #include <algorithm>
 #include <array>

@@ -14,7 +14,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "client/rpc/answer.h"
+#include "client/messages/answer.h"
 #include "client/rpc/loan.h"
 #include "gonio/base/result.h"
 #include "gonio/client/client.h"

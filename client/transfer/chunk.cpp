@@ -1,4 +1,4 @@
-#include "client/rpc/chunk.h"
+#include "client/transfer/chunk.h"
 
 #include <algorithm>
 #include <array>

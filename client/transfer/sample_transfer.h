@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "client/rpc/chunk.h"
+#include "client/transfer/chunk.h"
 #include "gonio/client/client.h"
 
 namespace gonio::client {

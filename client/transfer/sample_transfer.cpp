@@ -1,4 +1,4 @@
-#include "client/rpc/sample_transfer.h"
+#include "client/transfer/sample_transfer.h"
 
 #include <algorithm>
 #include <string>

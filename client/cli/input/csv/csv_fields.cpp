@@ -1,4 +1,4 @@
-#include "client/cli/input/csv_fields.h"
+#include "client/cli/input/csv/csv_fields.h"
 
 namespace gonio::cli {
 

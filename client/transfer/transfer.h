@@ -14,10 +14,10 @@
 #include <string_view>
 
 #include "client/messages/request_head.h"
-#include "client/rpc/chunk.h"
 #include "client/rpc/retry.h"
 #include "client/rpc/rpc.h"
 #include "client/rpc/stream.h"
+#include "client/transfer/chunk.h"
 #include "gonio/base/result.h"
 
 namespace gonio::client {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "client/messages/request_head.h"
-#include "client/rpc/chunk.h"
 #include "client/rpc/rpc.h"
+#include "client/transfer/chunk.h"
 #include "gonio/base/result.h"
 
 namespace gonio::client {

@@ -1,4 +1,4 @@
-#include "client/rpc/answer.h"
+#include "client/messages/answer.h"
 
 #include <utility>
 

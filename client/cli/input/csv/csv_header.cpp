@@ -1,4 +1,4 @@
-#include "client/cli/input/csv_header.h"
+#include "client/cli/input/csv/csv_header.h"
 
 #include <algorithm>
 #include <array>

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "cli/support/csv_text.h"
 #include "cli/support/run_process.h"
 #include "data_folder.h"
 
@@ -19,38 +20,11 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::string kEvaluate =
-    R"(gonio evaluate --deg -m '{"model": "lambertian", "parameters": {"rd": 0.5}}' --pairs )";
-const std::string kFit = "gonio fit --model lambertian --deg --data ";
-const std::string kHeader = "theta_i,phi_i,theta_o,phi_o,f_0,flags\n";
-
 // The text with each of `from` replaced.
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos;
        at = text.find(from, at + to.size()))
     text.replace(at, from.size(), to);
-  return text;
-}
-
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
-
-// What a fit of this CSV says first: how many pairs it took.
-std::string pairs_of(const std::string& csv) {
-  const auto result = shell(kFit + "-", csv);
-  return result.exit_code == 0 ? first_line(result.out) : result.err;
-}
-
-std::string error_of(const std::string& csv) {
-  const auto result = shell(kFit + "-", csv);
-  EXPECT_EQ(result.exit_code, 2) << csv;
-  EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
-  return result.err;
-}
-
-std::string rows(std::size_t count) {
-  std::string text;
-  for (std::size_t i = 0; i < count; ++i)
-    text += std::to_string(i % 80) + ",0," + std::to_string(i % 70) + ",180,0.25,0\n";
   return text;
 }
 
@@ -233,64 +207,6 @@ TEST(Headers, AreMatchedInAnyCaseAndEachNameOnce) {
               HasSubstr("the header lacks theta_o"));
   EXPECT_THAT(error_of("a,b,c\n1,2,3\n"), HasSubstr("the header has none of the columns"));
   EXPECT_THAT(error_of("10,0,10,180,0.5,0\n"), HasSubstr("there is no header"));
-}
-
-TEST(Encodings, OfUtf8AloneAreRead) {
-  const std::string text = kHeader + rows(3);
-  EXPECT_EQ(pairs_of("\xEF\xBB\xBF" + text), "3 pairs");
-  EXPECT_EQ(pairs_of("\xEF\xBB\xBF# " + text), "3 pairs");
-  for (const std::string& command : {kFit, kEvaluate}) {
-    const auto result = shell(command + text_case("utf16_head.csv").string());
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.err, HasSubstr("utf16_head.csv is UTF-16 text; allowed: UTF-8"));
-  }
-  EXPECT_THAT(error_of("\0t\0h\0e"s), HasSubstr("standard input is UTF-16 text"));
-}
-
-TEST(Numbers, AsOtherProgramsWriteThem) {
-  EXPECT_EQ(pairs_of(kHeader + "+10,0,1.0D+01,180.,+5.0d-01,0\n"), "1 pairs");
-  EXPECT_EQ(pairs_of(kHeader + "10,0,10,180,NaN,0\n10,0,10,180,-inf,0\n10,0,10,180,1,0\n"),
-            "1 pairs; left out: 2 not finite");
-  for (const char* none : {"NA", "1.#QNAN", "0x1p-1", "1 000", "1e", "--1"})
-    EXPECT_THAT(error_of(kHeader + "1,2,3,4," + none + ",0\n"),
-                HasSubstr("'"s + none + "' is not a number"));
-}
-
-TEST(Json, MayBeginWithAByteOrderMark) {
-  const std::string bom = "\xEF\xBB\xBF";
-  const std::string file = text_case("bom_material.json");
-  const auto evaluated = shell("gonio evaluate --grid theta_i=0.5 -m " + file);
-  EXPECT_EQ(evaluated.exit_code, 0) << evaluated.err;
-  EXPECT_EQ(shell("gonio evaluate --grid theta_i=0.5 -m \"$(cat " + file + ")\"").out,
-            evaluated.out);
-  EXPECT_EQ(shell("gonio evaluate --grid theta_i=0.5 -m \"$(tail -c +4 " + file + ")\"").out,
-            evaluated.out);
-  const gonio::testing::TempFolder folder;
-  write_file(folder / "scene.json", bom + R"({"theta_i": [0, 60], "them_o": [0, 60]})");
-  const std::string select = "gonio select --reference " + file + " --scene ";
-  EXPECT_THAT(shell(select + (folder / "scene.json").string()).err,
-              HasSubstr("scene.them_o is not a field"));
-  write_file(folder / "scene.json", "{\0\"\0t\0"s);
-  EXPECT_THAT(shell(select + (folder / "scene.json").string()).err,
-              HasSubstr("scene.json is UTF-16 text"));
-  write_file(folder / "m.json", "\xFF\xFE{\0}\0"s);
-  EXPECT_THAT(shell("gonio evaluate --grid theta_i=0.5 -m " + (folder / "m.json").string()).err,
-              HasSubstr("is UTF-16 text"));
-}
-
-TEST(Rgl, ValuesSetToZeroAreCounted) {
-  const auto file = gonio::testing::data_folder() / "rgl" / "cc_ibiza_sunset_rgb.bsdf";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file << ": set GONIO_DATA";
-  const gonio::testing::TempFolder folder;
-  const std::string report = folder / "report";
-  const auto fit = shell("gonio fit --model lambertian --data " + file.string() + " --report " +
-                         report + ".json --report " + report + ".md");
-  EXPECT_THAT(fit.err, HasSubstr("746 values below 0 set to 0"));
-  EXPECT_THAT(read_file(report + ".json"), HasSubstr("\"raised_to_zero\": 746"));
-  EXPECT_THAT(read_file(report + ".md"), HasSubstr("746 values below 0 set to 0"));
-  EXPECT_THAT(
-      shell("gonio compare -m '{\"model\": \"lambertian\"}' --reference " + file.string()).out,
-      HasSubstr("left out, 746 values below 0 set to 0"));
 }
 
 }  // namespace

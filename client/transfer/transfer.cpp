@@ -1,4 +1,4 @@
-#include "client/rpc/transfer.h"
+#include "client/transfer/transfer.h"
 
 #include <algorithm>
 #include <string>
@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "client/messages/convert.h"
-#include "client/rpc/check_answer.h"
+#include "client/transfer/check_answer.h"
 #include "wire/codec.h"
 #include "wire/status.h"
 

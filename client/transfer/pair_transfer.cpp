@@ -1,4 +1,4 @@
-#include "client/rpc/pair_transfer.h"
+#include "client/transfer/pair_transfer.h"
 
 #include <algorithm>
 #include <string>

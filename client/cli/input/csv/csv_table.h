@@ -14,8 +14,8 @@
 
 #include "base/text/number.h"
 #include "client/cli/input/byte_source.h"
-#include "client/cli/input/csv_fields.h"
-#include "client/cli/input/csv_header.h"
+#include "client/cli/input/csv/csv_fields.h"
+#include "client/cli/input/csv/csv_header.h"
 #include "gonio/base/result.h"
 
 namespace gonio::cli {

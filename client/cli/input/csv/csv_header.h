@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "client/cli/input/csv_fields.h"
+#include "client/cli/input/csv/csv_fields.h"
 
 namespace gonio::cli {
 

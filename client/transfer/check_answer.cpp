@@ -1,4 +1,4 @@
-#include "client/rpc/check_answer.h"
+#include "client/transfer/check_answer.h"
 
 #include <utility>
 
