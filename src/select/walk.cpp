@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/text/join.h"
 #include "select/error/rounding.h"
 #include "select/explain.h"
 
@@ -15,12 +16,6 @@ constexpr double kShare = 0.01;  // of the tolerance: a difference that does not
 std::string number(double x, int digits = 3) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.*g", digits, x);
-  return text;
-}
-
-std::string without_numbers(const std::vector<std::string>& fields) {
-  std::string text;
-  for (const std::string& field : fields) text += (text.empty() ? "" : ", ") + field;
   return text;
 }
 
@@ -45,8 +40,7 @@ void Walk::place_on_front(Tried& tried) {
     const double gain = value(best_) - value(tried.errors);
     if (!(upper < 0 && gain > kShare * scene_.tolerance)) {
       entry.remark = "no better than " + best_name_;
-      if (!entry.at_bounds.empty())
-        entry.remark += "; at a bound: " + without_numbers(entry.at_bounds);
+      if (!entry.at_bounds.empty()) entry.remark += "; at a bound: " + joined(entry.at_bounds);
       return;
     }
   }

@@ -4,10 +4,9 @@
 #include <memory>
 #include <utility>
 
+#include "base/text/join.h"
 #include "client/cli/arguments/material_argument.h"
 #include "client/cli/output/terminal.h"
-#include "client/cli/output/text.h"
-#include "client/cli/report/fit_table.h"
 #include "engine/material/material_impl.h"
 #include "server/materials/materials.h"
 
@@ -58,7 +57,7 @@ Outcome check_channels(const std::string& name, const Material& material, const 
 }
 
 Result<Reference> read_reference(const std::string& file, bool degrees,
-                                 const Materials& materials) {
+                                 const server::Materials& materials) {
   auto input = read_measured(file, true, degrees);
   if (!input) return input.error();
   std::shared_ptr<const MeasuredTable> table;
