@@ -18,10 +18,7 @@ Result<Selection> Client::select(const SelectReference& reference, const SelectS
     gonio::v1::SelectResponse response;
     if (!wire::from_buffer(bytes, response)) return false;
     if (response.has_result()) result = std::move(*response.mutable_result());
-    if (response.has_progress() && watch.progress) {
-      const auto& at = response.progress();
-      watch.progress({at.stage(), at.candidate(), at.done(), at.candidates()});
-    }
+    if (response.has_progress() && watch.progress) watch.progress(progress_of(response.progress()));
     return result.has_value();
   };
   Patience patience(state_->options, options.deadline);

@@ -15,7 +15,7 @@ namespace gonio::assess {
 
 inline constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
 
-// Numbers that are the same with every standard library.
+// Random numbers that are the same with every standard library.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -23,7 +23,7 @@ class Random {
   double uniform(double low, double high) {
     return low + (high - low) * static_cast<double>(engine_() >> 11U) * 0x1p-53;
   }
-  // Every order of magnitude alike.
+  // Uniform in the logarithm.
   double logarithmic(double low, double high) {
     return std::exp(uniform(std::log(low), std::log(high)));
   }
@@ -43,7 +43,7 @@ inline Direction elevated(double elevation, double phi) {
 }
 
 inline Direction Random::hemisphere() { return spherical(std::acos(uniform(0, 1)), turn()); }
-// Down to the cosine at which error bounds end.
+// Down to the cosine at which the error bounds end.
 inline Direction Random::grazing() { return elevated(logarithmic(1.1e-6, 10 * kDegree), turn()); }
 
 inline Direction mirrored(const Direction& w) { return {-w[0], -w[1], w[2]}; }

@@ -21,9 +21,9 @@ TEST_F(ListModelsTest, ListsWhatTheServerDoesNotServe) {
   const gonio::testing::TempFolder folder;
   std::ofstream(folder / "gold.json") << R"({"model": "ggx"})";
   std::ofstream(folder / "rough.json") << R"({"model": "ggx", "parameters": {"alpha_x": 7}})";
-  ServerOptions options;
+  server::ServerOptions options;
   options.materials = folder / "";
-  const auto server = Server::start(options);
+  const auto server = server::Server::start(options);
   ASSERT_TRUE(server.ok());
   const auto client = client::Client::from_channel((*server)->in_process_channel(), "it");
   const auto catalogue = client->list_models();

@@ -54,8 +54,7 @@ def results(folder, case, binaries, listen):
     for name, content in streams.items():
         (folder / name).write_bytes(content)
     files = sorted(path for path in folder.rglob("*") if path.is_file() and not path.is_symlink())
-    charts = "gonio chart" in case.command
-    return {path.relative_to(folder).as_posix(): masked(path.name, path.read_bytes(), folder, charts) for path in files}
+    return {path.relative_to(folder).as_posix(): masked(path, folder) for path in files}
 
 
 def differences(case, number, folder, binaries, servers):

@@ -13,7 +13,7 @@
 #include "server/support/sample_requests.h"
 #include "wire/convert.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -177,4 +177,4 @@ INSTANTIATE_TEST_SUITE_P(Materials, Bounds, ::testing::ValuesIn(materials()),
                          });
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

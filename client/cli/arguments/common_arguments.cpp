@@ -37,7 +37,7 @@ void add_material_option(CLI::App& command, std::string& material, const std::st
   arguments::add_option(command, "--material,-m", material, what)
       .type_name("M")
       .required()
-      .suggest(preset_names());
+      .suggest(server::preset_names());
 }
 
 void add_material_options(CLI::App& command, CommonArguments& arguments) {

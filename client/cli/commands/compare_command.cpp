@@ -128,7 +128,7 @@ Command add_compare_command(CLI::App& app) {
                         "Materials: JSON or files, as for 'gonio evaluate'; one or more")
       .type_name("M...")
       .required()
-      .suggest(preset_names());
+      .suggest(server::preset_names());
   arguments::add_flag(command, "--deg", arguments->degrees, "Angles of a CSV are in degrees");
   arguments::add_option(command, "--slices", arguments->slices,
                         "Where a picture of slices goes, a .png")

@@ -10,10 +10,6 @@
 namespace gonio::cli {
 namespace {
 
-client::FitErrors cells(const fit::Errors& errors) {
-  return {errors.l1, errors.rmse, errors.log, errors.cbrt, errors.pairs};
-}
-
 std::string region(const char* name, const fit::Region& of) {
   char text[96];
   std::snprintf(text, sizeof(text), "%s %.3g of %.3g", name, of.fitted, of.measured);
@@ -22,10 +18,8 @@ std::string region(const char* name, const fit::Region& of) {
 
 std::string row(const std::string& name, const fit::Comparison& comparison, std::size_t width) {
   const fit::Regions& regions = comparison.regions;
-  return padded(name, width) +
-         error_cells({cells(comparison.errors.all), cells(comparison.errors.below_80),
-                      cells(comparison.errors.above_80)}) +
-         "\n    " + region("mirror", regions.mirror) + ", " +
+  return padded(name, width) + error_cells(comparison.errors) + "\n    " +
+         region("mirror", regions.mirror) + ", " +
          region("toward the light", regions.toward_light) + ", " +
          region("elsewhere", regions.elsewhere) + "\n";
 }

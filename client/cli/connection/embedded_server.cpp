@@ -7,10 +7,10 @@
 namespace gonio::cli {
 
 struct EmbeddedServer::State {
-  std::unique_ptr<Server> server;
+  std::unique_ptr<server::Server> server;
 
-  static Result<EmbeddedServer> start(const ServerOptions& options) {
-    auto server = Server::start(options);
+  static Result<EmbeddedServer> start(const server::ServerOptions& options) {
+    auto server = server::Server::start(options);
     if (!server) return std::move(server).error();
     return EmbeddedServer(std::make_unique<State>(State{std::move(server).value()}));
   }
@@ -22,7 +22,7 @@ EmbeddedServer& EmbeddedServer::operator=(EmbeddedServer&&) noexcept = default;
 EmbeddedServer::~EmbeddedServer() = default;
 
 Result<EmbeddedServer> EmbeddedServer::start(int threads) {
-  ServerOptions options;
+  server::ServerOptions options;
   options.threads = threads;
   options.allow_local_files = true;
   options.fits_give_way = false;
@@ -33,7 +33,7 @@ Result<EmbeddedServer> EmbeddedServer::start(int threads) {
 }
 
 Result<EmbeddedServer> EmbeddedServer::start_at(const std::string& address, int threads) {
-  ServerOptions options;
+  server::ServerOptions options;
   options.threads = threads;
   options.addresses = {address};
   return State::start(options);
