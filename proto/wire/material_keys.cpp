@@ -34,7 +34,7 @@ Error unknown_key(const pb::Descriptor& message, const std::string& at, const st
 
 Outcome check(const pb::Struct& object, const pb::Descriptor& message, const std::string& at);
 
-// Parameters are free; what else is a message has keys of its own.
+// The keys of parameters are not checked; other nested messages have keys of their own.
 Outcome check_value(const pb::Value& value, const pb::Descriptor& message, const std::string& at) {
   if (&message == pb::Struct::descriptor() || !value.has_struct_value()) return Ok{};
   return check(value.struct_value(), message, at + ".");

@@ -5,19 +5,15 @@
 #include "server/calls/start_calls.h"
 #include "server/messages/select_messages.h"
 #include "server/messages/select_request.h"
+#include "wire/mapping/selection.h"
 #include "wire/message.h"
 
 namespace gonio::server {
 namespace {
 
-grpc::ByteBuffer to_event(const char* stage, const std::string& candidate = {},
-                          std::size_t done = 0, std::size_t of = 0) {
+grpc::ByteBuffer to_event(const select::Progress& progress) {
   v1::SelectResponse response;
-  v1::SelectProgress& progress = *response.mutable_progress();
-  progress.set_stage(stage);
-  progress.set_candidate(candidate);
-  progress.set_done(done);
-  progress.set_candidates(of);
+  *response.mutable_progress() = wire::to_message(progress);
   return wire::to_buffer(response);
 }
 
@@ -35,7 +31,7 @@ class SelectCall final : public ProgressCall {
 
 SelectCall::SelectCall(const Backend& backend, grpc::CallbackServerContext& context)
     : ProgressCall(backend, context, "Select", "the selection") {
-  note(to_event("queued"));
+  note(to_event({.stage = "queued"}));
 }
 
 Result<std::size_t> SelectCall::prepare(const grpc::ByteBuffer& buffer) {
@@ -50,7 +46,7 @@ Result<std::size_t> SelectCall::prepare(const grpc::ByteBuffer& buffer) {
 Result<select::Selection> SelectCall::choose() {
   select::Options& options = task_.options;
   options.progress = [this](const std::string& name, std::size_t done, std::size_t of) {
-    note(to_event("candidates", name, done, of));
+    note(to_event({"candidates", name, done, of}));
   };
   options.stop = [this] { return background().should_stop(); };
   if (task_.material) return select::choose(task_.material->material(), task_.scene, options);
@@ -61,7 +57,7 @@ Result<select::Selection> SelectCall::choose() {
 }
 
 Result<grpc::ByteBuffer> SelectCall::work() {
-  note(to_event("reference"));
+  note(to_event({.stage = "reference"}));
   const auto selection = choose();
   if (!selection) return selection.error();
   v1::SelectResponse response;

@@ -1,12 +1,9 @@
 #include "server/materials/build_material.h"
 
-#include <array>
-#include <memory>
 #include <utility>
 #include <vector>
 
-#include "base/near_names.h"
-#include "gonio/measured/table.h"
+#include "gonio/engine/registry.h"
 
 namespace gonio::server {
 namespace {
@@ -112,61 +109,17 @@ Outcome check_form(const v1::Material& material, const std::string& field) {
   return Ok{};
 }
 
-Result<std::string> word(const Value& value, const std::string& field, const std::string& allowed) {
-  if (value.kind_case() == Value::kStringValue) return value.string_value();
-  return bad_value(field, description_of(value), allowed);
-}
-
-constexpr std::array<std::string_view, 2> kInterpolations{"linear", "nearest"};
-constexpr std::array<std::string_view, 2> kMeasuredParameters{"file", "interpolation"};
-
-Result<Interpolation> to_interpolation(const Value& value, const std::string& field) {
-  const auto text = word(value, field, "linear or nearest");
-  if (!text) return text.error();
-  if (*text == "linear") return Interpolation::linear;
-  if (*text == "nearest") return Interpolation::nearest;
-  return unknown_word(field, *text, kInterpolations);
-}
-
-Result<Material> build_measured(const Struct& parameters, const std::string& prefix,
-                                const FindFile& find_file) {
-  if (!find_file) {
-    return bad_value(
-        prefix + "model", "\"measured\"",
-        R"(on this server, measured materials that it stores: {"name": ...}, see ListModels)");
-  }
-  std::string file;
-  Interpolation interpolation = Interpolation::linear;
-  for (const auto& [name, value] : parameters.fields()) {
-    const std::string field = prefix + "parameters." + name;
-    if (name == "file") {
-      auto text = word(value, field, "the name of a MERL .binary file");
-      if (!text) return text.error();
-      file = std::move(*text);
-    } else if (name == "interpolation") {
-      const auto chosen = to_interpolation(value, field);
-      if (!chosen) return chosen.error();
-      interpolation = *chosen;
-    } else {
-      return bad_value(field, "not a parameter of \"measured\"",
-                       "file, interpolation" + did_you_mean(name, kMeasuredParameters));
-    }
-  }
-  if (file.empty())
-    return bad_value(prefix + "parameters.file", "not given", "the name of a MERL .binary file");
-  const auto path = find_file(file);
-  if (!path) return path.error();
-  auto table = MeasuredTable::read_merl(*path);
-  if (!table) return table.error();
-  return Material::from_table(std::move(*table), interpolation);
-}
-
 // The name of the material itself, from what stands before its fields.
 std::string field_of(std::string_view prefix) {
   return prefix.empty() ? "material" : std::string(prefix.substr(0, prefix.size() - 1));
 }
 
 }  // namespace
+
+bool is_measured(const v1::Material& material) {
+  const auto model = find_model(material.model());
+  return model && (*model)->role == Role::measured;
+}
 
 Result<MaterialSpec> material_spec(const v1::Material& material, std::string_view prefix) {
   const auto form = check_form(material, field_of(prefix));
@@ -176,16 +129,17 @@ Result<MaterialSpec> material_spec(const v1::Material& material, std::string_vie
 
 Result<Material> build_material(const v1::Material& material, std::string_view prefix,
                                 const FindFile& find_file) {
-  if (material.model() == kMeasuredModel) {
-    const auto form = check_form(material, field_of(prefix));
-    if (!form) return form.error();
-    const auto rotation = check_rotation(material.rotation(), prefix);
-    if (!rotation) return rotation.error();
-    return build_measured(material.parameters(), std::string(prefix), find_file);
-  }
   const auto spec = material_spec(material, prefix);
   if (!spec) return spec.error();
-  return Material::create(*spec, prefix);
+  if (!is_measured(material)) return Material::create(*spec, prefix);
+  const auto rotation = check_rotation(material.rotation(), prefix);
+  if (!rotation) return rotation.error();
+  if (!find_file) {
+    return bad_value(
+        std::string(prefix) + "model", '"' + material.model() + '"',
+        R"(on this server, measured materials that it stores: {"name": ...}, see ListModels)");
+  }
+  return Material::from_file(*spec->model, prefix, find_file);
 }
 
 }  // namespace gonio::server

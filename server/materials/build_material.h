@@ -1,8 +1,6 @@
 // From a material on the wire to one that can be evaluated.
 #pragma once
 
-#include <filesystem>
-#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,16 +10,12 @@
 
 namespace gonio::server {
 
-// The model whose parameters name a file.
-inline constexpr std::string_view kMeasuredModel = "measured";
+// Whether its model is one whose parameters name a file.
+bool is_measured(const v1::Material& material);
 
-// Where a measured material's "file" lies; an error for one that may not be read. Empty: files are
-// not offered at all.
-using FindFile = std::function<Result<std::filesystem::path>(const std::string& file)>;
-
-// Builds a model, a sum or a measured file: everything but {"name": ...}. Errors name the field
-// with `prefix` before it, such as "material.parameters.alpha_x". Thread safety: a function without
-// state.
+// Builds a model, a sum or a measured file: everything but {"name": ...}. Without
+// `find_file` files are not offered at all. Errors name the field with `prefix` before it, such as
+// "material.parameters.alpha_x". Thread safety: a function without state.
 Result<Material> build_material(const v1::Material& material, std::string_view prefix,
                                 const FindFile& find_file);
 

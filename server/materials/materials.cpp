@@ -175,7 +175,7 @@ Result<PreparedMaterial> Materials::resolve(const std::optional<std::string>& by
   if (!material.ParseFromString(*bytes)) {
     return bad_value("material", "not a " + material.GetTypeName(), "the bytes of one");
   }
-  if (find_file_ && material.model() == kMeasuredModel) return build_local(material, *bytes);
+  if (find_file_ && is_measured(material)) return build_local(material, *bytes);
   if (const auto substance = substance_of(material)) {
     // Kept by what it is: a material may be stored under the name at any time.
     return resolve(substance->SerializeAsString());

@@ -15,6 +15,7 @@ Result<v1::AssessRequest> decode_assess_request(const grpc::ByteBuffer& buffer);
 
 assess::Options assess_options(const v1::AssessRequest& request);
 
-v1::AssessResponse to_wire(const assess::Report& report);
+// Without the instruction set, which is the call's to add.
+v1::AssessResponse to_wire(const assess::Assessment& assessment);
 
 }  // namespace gonio::server

@@ -34,6 +34,6 @@ Result<ChartTask> chart_task(v1::ChartRequest request, const Materials& material
 // What is measured; takes the pairs from the task. Errors: arrays whose lengths do not agree.
 Result<chart::Wanted> chart_wanted(ChartTask& task);
 
-v1::ChartResult to_wire(const std::vector<chart::Table>& tables, const chart::Machine& machine);
+v1::ChartResult to_wire(std::vector<chart::Table> tables, chart::Machine machine);
 
 }  // namespace gonio::server

@@ -1,4 +1,4 @@
-// A fit's result on the wire. Thread safety: functions without state.
+// A fit's result on the wire. Thread safety: a function without state.
 #pragma once
 
 #include "fit/fit.h"
@@ -6,7 +6,6 @@
 
 namespace gonio::server {
 
-v1::FitProgress to_wire(const fit::Progress& progress);
 v1::FitResult to_wire(const fit::FitResult& result);
 
 }  // namespace gonio::server

@@ -37,6 +37,7 @@ void fill(const Parameter& from, v1::Parameter& to) {
   to.set_start(from.start);
   to.set_logarithmic(from.scale == Scale::logarithmic);
   to.set_colour(from.type == ParameterType::colour);
+  to.set_file(from.type == ParameterType::file);
   for (std::string_view word : from.words) to.add_words(std::string(word));
   to.set_used_with(std::string(from.used_with.parameter));
   for (std::string_view word : from.used_with.words) to.add_used_with_words(std::string(word));

@@ -70,8 +70,10 @@ Drawn draw(const Sampler& sampler, const std::array<double, 3>& wi, std::size_t 
 std::vector<double> rarer_than_outside(const Material& material) {
   std::vector<double> indices;
   for (const Part& part : material.impl().parts) {
-    if (word_of(*part.lobe, "fresnel") != "dielectric") continue;
-    for (const double eta : part.lobe->values.all().find("eta")->second) {
+    if (find_used(*part.lobe, Quantity::extinction) != nullptr) continue;
+    const Parameter* index = find_used(*part.lobe, Quantity::refractive_index);
+    if (index == nullptr) continue;
+    for (const double eta : part.lobe->values.all().find(index->name)->second) {
       if (eta < 1) indices.push_back(eta);
     }
   }

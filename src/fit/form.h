@@ -1,22 +1,23 @@
 // What is fitted: the lobes of a material, the shape parameters that all channels share, and the
 // columns of which each channel's reflectance is a sum.
 //
-// With the shape parameters held, f_c = sum_k v_k(x_c) column_k: a lobe without Fresnel, or with
-// that of a dielectric or conductor, is one column (its colour scale the coefficient); one with
-// Schlick's is two, since scale (f0 + (1 - f0) w) = scale f0 + (scale (1 - f0)) w is linear in two
-// numbers that are not negative; Ashikhmin and Shirley's own diffuse term is one more. A specular
-// column is divided by its lobe's value at normal incidence and h = n, so that a coefficient says
-// how high the lobe is, whatever its width and Fresnel: eta and scale do not fight. The one model
-// that is not linear in its colour, oren_nayar's full form, is quadratic: its second column takes
-// the square of the first's coefficient.
+// With the shape parameters held, f_c = sum_k v_k(x_c) column_k. Which parameters are shapes and
+// which colours, and how f depends on a colour, stands in the models' tables (Quantity, Dependence
+// in gonio/models/description.h). A lobe that an amplitude multiplies is one column, its colour the
+// coefficient; one with an affine reflectance, such as Schlick's, is two, since scale (f0 + (1 -
+// f0) w) = scale f0 + (scale (1 - f0)) w is linear in two numbers that are not negative; a base
+// colour beside a lobe is one more. A specular column is divided by its lobe's value at normal
+// incidence and h = n, so that a coefficient says how high the lobe is, whatever its width and
+// Fresnel: a refractive index and an amplitude do not fight. A quadratic base colour is not linear:
+// its second column takes the square of the first's coefficient.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "engine/material/lobe_check.h"
 #include "fit/bounds/colour.h"
 #include "fit/search/shape.h"
 #include "gonio/base/result.h"
@@ -25,9 +26,12 @@
 namespace gonio::fit {
 
 struct FormLobe {
-  LobeSpec words;  // the model and its words, no numbers
-  Columns columns = Columns::scaled;
-  ColourBounds bounds;  // of the model's table
+  const ModelDescription* model = nullptr;
+  LobeSpec held;  // the model's name, its words, and the numbers that are not fitted
+  LobeColours colours;
+  // The colour at which columns are evaluated, where that is another than 1: the nearest to it that
+  // the model's table allows.
+  double evaluated_at = 1;
   std::size_t first_column = 0, column_count = 1;
   std::size_t first_coefficient = 0, coefficient_count = 1;
   std::string prefix;  // "diffuse.", "specular[0].", "" for a model alone
@@ -50,6 +54,10 @@ struct Form {
   }
   // In the form's unit.
   [[nodiscard]] ColourBounds bounds_of(const FormLobe& lobe) const;
+  // The place of a lobe's first coefficient of a channel among a fit's parameters.
+  [[nodiscard]] std::size_t first_of(const FormLobe& lobe, std::size_t channel) const {
+    return shapes.size() + channel * coefficients + lobe.first_coefficient;
+  }
 };
 
 struct FormOptions {
@@ -59,8 +67,22 @@ struct FormOptions {
 
 // From a specification whose words (and models) say what is fitted and whose numbers, where there
 // are any, are the caller's guess. Errors are those of Material::create, or name what cannot be
-// fitted (a measured table).
+// fitted: a measured table, colours that cannot be told apart.
 Result<Form> make_form(const MaterialSpec& spec, const FormOptions& options);
+
+// The same of what is checked already; its models need not be in the registry.
+struct CheckedLobes {
+  std::span<const NamedLobe> named;
+  std::span<const CheckedLobe> lobes;
+};
+Result<Form> make_form(const CheckedLobes& checked, std::optional<double> rotation,
+                       const FormOptions& options);
+
+// As errors and reports name a parameter, "specular[0].parameters.alpha_x".
+std::string field_of(const std::string& prefix, const Parameter& p);
+
+// Whether any lobe has tangents.
+bool has_tangents(const Form& form);
 
 // Whether a lobe changes with a shape: its own, or the rotation of all that have tangents.
 bool depends(const Form& form, std::size_t lobe, const ShapeParameter& shape);

@@ -9,8 +9,10 @@
 #include "kernels/constants.h"
 #include "kernels/part.h"
 #include "numeric/dual.h"
+#include "numeric/extended.h"
 #include "numeric/type_list.h"
 #include "parts/degrees.h"
+#include "parts/geometry.h"
 
 namespace gonio {
 
@@ -79,11 +81,11 @@ void add_truth(const void* constants, const Geometry<Extended>& pair, std::span<
 }
 
 template <class Kind>
-PartTruth analytic_truth(const Part& part, int channels) {
+PartTruth analytic_truth(const Part& part) {
   ParameterValues<LongDouble> extended;
   for (const auto& [name, numbers] : part.lobe->values.all())
     extended.set(name, {numbers.begin(), numbers.end()});
-  return {prepare_constants<Kind>(extended, channels).data, &add_truth<Kind>};
+  return {prepare_constants<Kind>(extended, part.channels).data, &add_truth<Kind>};
 }
 
 // Kernels turn the directions of kinds that have_tangents(): of all kinds of a model that has them.

@@ -28,22 +28,25 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "gonio/base/result.h"
 #include "gonio/models/description.h"
 #include "kernels/sampling_kernel.h"
-#include "numeric/extended.h"
-#include "parts/geometry.h"
 #include "schema/checked_lobe.h"
 
 namespace gonio {
 
 class MeasuredTable;
 struct Part;
+struct Extended;  // numeric/extended.h: long double
+template <class N>
+class Geometry;  // parts/geometry.h
 
 // Data that kernels read, and how much memory it holds.
 struct PartData {
@@ -76,7 +79,7 @@ struct PartKind {
   PartData (*prepare_derivative)(const CheckedLobe& lobe, int channels,
                                  std::string_view by) = nullptr;
 
-  PartTruth (*truth)(const Part& part, int channels) = nullptr;
+  PartTruth (*truth)(const Part& part) = nullptr;
 
   // What draws and densities read; null: the part's own data.
   PartData (*prepare_sampling)(const Part& part, const PartLuminance& luminance) = nullptr;
@@ -96,6 +99,7 @@ struct Part {
   const PartKind* kind = nullptr;
   PartData made;
   std::shared_ptr<const CheckedLobe> lobe;  // model, words and numbers that it was made of
+  int channels = 1;
 };
 
 // What the registry knows of a model or a format.
@@ -103,6 +107,8 @@ struct PartModel {
   ModelDescription description;
   std::span<const PartKind> kinds;        // by combination of its words
   std::span<const PartKind> derivatives;  // the same; empty for what has none
+  // Of a format: reads a file as the lobe's words say. Errors are those of its reader.
+  Result<Part> (*read)(const std::filesystem::path& file, const CheckedLobe& lobe) = nullptr;
 };
 
 }  // namespace gonio

@@ -1,5 +1,8 @@
 #include "select/candidates.h"
 
+#include <optional>
+#include <utility>
+
 #include "fit/form.h"
 #include "gonio/engine/registry.h"
 
@@ -31,25 +34,39 @@ std::vector<Variant> variants_of(const ModelDescription& model) {
   return variants;
 }
 
-LobeSpec base() { return {"lambertian", {}}; }
+// What stands under lobes: the first diffuse model that is one colour and nothing else.
+std::optional<Variant> plainest_base() {
+  for (const ModelDescription& model : models()) {
+    if (model.role != Role::diffuse || model.parameters.size() != 1) continue;
+    for (Variant& variant : variants_of(model)) {
+      const auto form = fit::make_form({variant.lobe, {}, {}}, {});
+      if (form && form->shapes.empty() && form->coefficients == 1) return std::move(variant);
+    }
+  }
+  return {};
+}
 
 class List {
  public:
   List(const Scene& scene, int channels) : scene_(scene), channels_(channels) {}
 
-  // Both with its pairs of numbers held equal and, if it has such pairs, not.
+  // One candidate with the pairs of numbers held equal and, if the model has such pairs, one with
+  // both free; none if it cannot be fitted.
   void add(const std::string& name, std::vector<std::string> parts, const MaterialSpec& form) {
-    const std::size_t equal = count(form, false), apart = count(form, true);
-    all_.push_back({name, parts, form, false, equal});
-    if (scene_.anisotropy && apart != equal && form.specular.size() < 2)
-      all_.push_back({name + ", anisotropic", std::move(parts), form, true, apart});
+    const auto equal = count(form, false), apart = count(form, true);
+    if (!equal || !apart) return;
+    all_.push_back({name, parts, form, false, *equal});
+    if (scene_.anisotropy && *apart != *equal && form.specular.size() < 2)
+      all_.push_back({name + ", anisotropic", std::move(parts), form, true, *apart});
   }
 
   std::vector<Candidate> take() && { return std::move(all_); }
 
  private:
-  [[nodiscard]] std::size_t count(const MaterialSpec& form, bool anisotropic) const {
-    return fit::make_form(form, {anisotropic, anisotropic})->parameters(channels_);
+  [[nodiscard]] std::optional<std::size_t> count(const MaterialSpec& spec, bool anisotropic) const {
+    const auto form = fit::make_form(spec, {anisotropic, anisotropic});
+    if (!form) return {};
+    return form->parameters(channels_);
   }
   const Scene& scene_;
   int channels_;
@@ -57,21 +74,24 @@ class List {
 };
 
 bool has_one_shape(const LobeSpec& lobe) {
-  return fit::make_form({{}, {}, {lobe}}, {false})->shapes.size() == 1;
+  const auto form = fit::make_form({{}, {}, {lobe}}, {false});
+  return form && form->shapes.size() == 1;
 }
 
 }  // namespace
 
 std::vector<Candidate> candidates(const Scene& scene, int channels, int lobes) {
   List list(scene, channels);
+  const std::optional<Variant> base = plainest_base();
   for (const ModelDescription& model : models()) {
     if (model.role == Role::measured) continue;
     for (const auto& [name, lobe, role] : variants_of(model)) {
       list.add(name, {name}, {lobe, {}, {}});
-      if (role != Role::specular) continue;
-      list.add("lambertian + " + name, {"lambertian", name}, {{}, base(), {lobe}});
+      if (role != Role::specular || !base) continue;
+      list.add(base->name + " + " + name, {base->name, name}, {{}, base->lobe, {lobe}});
       if (lobes > 1 && has_one_shape(lobe))
-        list.add("lambertian + 2 " + name, {"lambertian", name, name}, {{}, base(), {lobe, lobe}});
+        list.add(base->name + " + 2 " + name, {base->name, name, name},
+                 {{}, base->lobe, {lobe, lobe}});
     }
   }
   return std::move(list).take();

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "engine/truth/truth.h"
+#include "numeric/direction.h"
 #include "server/materials/build_material.h"
 #include "server/support/sample_requests.h"
 #include "wire/convert.h"
@@ -58,11 +59,7 @@ struct RandomPairs {
   }
 
  private:
-  using Direction = std::array<double, 3>;
   double uniform() { return std::uniform_real_distribution<double>(0, 1)(random_); }
-  static Direction spherical(double theta, double phi) {
-    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-  }
   Direction hemisphere() {
     return spherical(std::acos(uniform()), 6.28318530717958648 * uniform());
   }

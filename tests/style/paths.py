@@ -7,7 +7,7 @@ ROOT is the repository, this one if not given. Looked at are:
     the page, to the top or to an include path, or be the end of a longer path; `*` and `{a,b}` as in a shell
   - programs in a page, `build/bin/NAME`
   - paths that begin with a top-level folder in comments of C++, CMake, shell and Python
-Names in capitals (NAME, FOLDER) stand for something else and are passed over. Exit status 1 when anything is missing.
+Names in capitals (NAME, FOLDER), and name.h, stand for something else and are passed over. Exit status 1 when anything is missing.
 """
 
 import itertools
@@ -20,11 +20,11 @@ LINK = re.compile(r"\]\(([^)\s]+)\)")
 CODE = re.compile(r"`([^`\n]+)`")
 TOP = r"(?:src|proto|server|client|tests|docker|\.ci)/"
 TOP_PATH = re.compile(r"(?<![\w./$-])" + TOP + r"[\w./*{},-]*[\w/*}]")
-SOURCE = re.compile(r"(?<![\w./$-])[\w./*{},-]+\.(?:h|cpp|cmake|sh|py|proto|md)(?![\w/])")
+SOURCE = re.compile(r"(?<![\w./$-])[\w./*{},-]+\.(?:(?:h|cpp)\.in|h|cpp|cmake|sh|py|proto|md)(?![\w/])")
 OWN_TEST = "paths_test.py"  # its strings name what is missing
 PROGRAM = re.compile(r"(?<![\w./-])build/bin/(\w+)")
 COMMENT = re.compile(r"(?:^|\s)(?://|#)\s(.*)$")
-STANDS_FOR = re.compile(r"(?<![a-z])(?!README)[A-Z]{3,}(?![a-z])")
+STANDS_FOR = re.compile(r"(?<![a-z])(?!README)[A-Z]{3,}(?![a-z])|/name\.h$")
 COMMENTED = (".h", ".cpp", ".cmake", ".sh", ".py", ".txt")
 
 

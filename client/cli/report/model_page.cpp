@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/join.h"
 #include "client/cli/output/numbers.h"
 #include "client/cli/output/summary.h"
 #include "client/cli/output/text.h"
@@ -30,6 +31,7 @@ std::string value_text(const client::ParameterInfo& parameter) {
   if (!parameter.words.empty()) {
     return "one of " + joined(parameter.words, ", ") + "; default " + parameter.words.front();
   }
+  if (parameter.file) return "the name of a file; always to be given";
   std::string text = parameter.colour ? "a number, or one per channel" : "a number";
   text += ", " + shortest(parameter.lower) + " to " + shortest(parameter.upper);
   if (parameter.unit == "rad") text += " radians";

@@ -50,8 +50,7 @@ Result<std::size_t> check_word(const std::string& field, const Parameter& p,
 }
 
 bool usable_with(const Parameter& number, std::string_view word) {
-  const auto& words = number.used_with.words;
-  return std::find(words.begin(), words.end(), word) != words.end();
+  return has_word(number.used_with, word);
 }
 
 // The given numbers that have a meaning only with some words of `choice`.
@@ -146,9 +145,21 @@ Result<std::vector<double>> numbers_of(const NamedLobe& lobe, const ModelDescrip
   return bad_value(error.field, error.value, error.allowed + preset_hint(model, p, *word));
 }
 
+Outcome check_file(const NamedLobe& lobe, const Parameter& p, CheckedLobe& checked) {
+  const ParameterValue* given = find(*lobe.spec, p.name);
+  const auto* name = given == nullptr ? nullptr : std::get_if<std::string>(given);
+  if (name == nullptr || name->empty()) {
+    return bad_value(lobe.prefix + "parameters." + std::string(p.name),
+                     given == nullptr || name != nullptr ? "not given" : "a number",
+                     "the name of " + std::string(p.meaning));
+  }
+  return checked.file = *name, Ok{};
+}
+
 Outcome check_parameter(const NamedLobe& lobe, const Parameter& p, CheckedLobe& checked,
                         ChannelCount& channels) {
   if (p.type == ParameterType::word) return check_choice(lobe, p, checked);
+  if (p.type == ParameterType::file) return check_file(lobe, p, checked);
   const ParameterValue* given = find(*lobe.spec, p.name);
   if (given == nullptr) return checked.values.set(p.name, {p.start}), Ok{};
   Result<std::vector<double>> numbers = numbers_of(lobe, *checked.model, p, *given, channels);
@@ -157,30 +168,49 @@ Outcome check_parameter(const NamedLobe& lobe, const Parameter& p, CheckedLobe& 
   return checked.values.set(p.name, std::move(numbers).value()), Ok{};
 }
 
+Result<CheckedLobe> check_parameters(const ModelDescription& model, const NamedLobe& lobe,
+                                     ChannelCount& channels) {
+  if (Outcome names = check_names(model, lobe); !names) return names.error();
+  CheckedLobe checked{&model, 0, {}};
+  for (const Parameter& p : model.parameters) {
+    if (Outcome outcome = check_parameter(lobe, p, checked, channels); !outcome)
+      return outcome.error();
+  }
+  return checked;
+}
+
+Result<const ModelDescription*> model_of(const NamedLobe& lobe) {
+  Result<const ModelDescription*> model = find_model(lobe.spec->model);
+  if (model) return model;
+  Error error = std::move(model).error();
+  return bad_value(lobe.prefix + "model", error.value, error.allowed, error.code);
+}
+
 }  // namespace
 
 Result<CheckedLobe> check_lobe(const NamedLobe& lobe, ChannelCount& channels) {
-  Result<const ModelDescription*> model = find_model(lobe.spec->model);
-  if (!model) {
-    Error error = std::move(model).error();
-    return bad_value(lobe.prefix + "model", error.value, error.allowed, error.code);
-  }
+  const Result<const ModelDescription*> model = model_of(lobe);
+  if (!model) return model.error();
   const Role role = (*model)->role;
   if (role == Role::measured) {
-    return bad_value(lobe.prefix + "model", "\"measured\"",
+    return bad_value(lobe.prefix + "model", '"' + lobe.spec->model + '"',
                      "an analytic model; a measured one is stored under a name");
   }
   if (lobe.must_be && *lobe.must_be != role) {
     return bad_value(lobe.prefix + "model", '"' + lobe.spec->model + '"',
                      *lobe.must_be == Role::diffuse ? "a diffuse model" : "a specular model");
   }
-  if (Outcome names = check_names(**model, lobe); !names) return names.error();
-  CheckedLobe checked{*model, 0, {}};
-  for (const Parameter& p : (*model)->parameters) {
-    if (Outcome outcome = check_parameter(lobe, p, checked, channels); !outcome)
-      return outcome.error();
+  return check_parameters(**model, lobe, channels);
+}
+
+Result<CheckedLobe> check_measured(const NamedLobe& lobe) {
+  const Result<const ModelDescription*> model = model_of(lobe);
+  if (!model) return model.error();
+  if ((*model)->role != Role::measured) {
+    return bad_value(lobe.prefix + "model", '"' + lobe.spec->model + '"', "a measured model");
   }
-  return checked;
+  ChannelCount channels;
+  return check_parameters(**model, lobe, channels);
 }
 
 }  // namespace gonio

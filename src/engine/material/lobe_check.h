@@ -21,4 +21,7 @@ struct NamedLobe {
 
 Result<CheckedLobe> check_lobe(const NamedLobe& lobe, ChannelCount& channels);
 
+// The same of a measured model, which is read from a file.
+Result<CheckedLobe> check_measured(const NamedLobe& lobe);
+
 }  // namespace gonio

@@ -78,11 +78,25 @@ Result<Material> Material::create(const MaterialSpec& spec, std::string_view pre
   return Material(std::move(impl));
 }
 
+Result<Material> Material::from_file(const LobeSpec& spec, std::string_view prefix,
+                                     const FindFile& find_file) {
+  const Result<CheckedLobe> lobe = check_measured({&spec, std::string(prefix), std::nullopt});
+  if (!lobe) return lobe.error();
+  const Result<std::filesystem::path> path = find_file(lobe->file);
+  if (!path) return path.error();
+  Result<Part> part = part_model(*lobe->model).read(*path, *lobe);
+  if (!part) return part.error();
+  auto impl = std::make_shared<Impl>();
+  impl->channels = part->channels;
+  impl->add(std::move(part).value());
+  return Material(std::move(impl));
+}
+
 Material Material::from_table(std::shared_ptr<const MeasuredTable> table,
                               Interpolation interpolation) {
   auto impl = std::make_shared<Impl>();
-  impl->channels = MeasuredTable::kChannels;
   impl->add(merl_part(std::move(table), interpolation));
+  impl->channels = impl->parts.front().channels;
   return Material(std::move(impl));
 }
 

@@ -60,13 +60,13 @@ const PartModel& part_model(const ModelDescription& model) {
 
 Part make_part(const CheckedLobe& lobe, int channels) {
   const PartKind& kind = part_model(*lobe.model).kinds[lobe.kind];
-  return {&kind, kind.prepare(lobe, channels), std::make_shared<const CheckedLobe>(lobe)};
+  return {&kind, kind.prepare(lobe, channels), std::make_shared<const CheckedLobe>(lobe), channels};
 }
 
 Part make_derivative(const CheckedLobe& lobe, int channels, std::string_view by) {
   const PartKind& kind = part_model(*lobe.model).derivatives[lobe.kind];
   return {&kind, kind.prepare_derivative(lobe, channels, by),
-          std::make_shared<const CheckedLobe>(lobe)};
+          std::make_shared<const CheckedLobe>(lobe), channels};
 }
 
 }  // namespace gonio

@@ -25,11 +25,11 @@ void luminance_of(const Material& material, std::span<const PartDirection> wi,
 }
 
 // What a part draws from; nothing for one that does not draw.
-PartData prepare_sampling(const Part& part, int channels) {
+PartData prepare_sampling(const Part& part) {
   if (!part.kind->draws()) return {};
   if (part.kind->prepare_sampling == nullptr) return {part.made.data, 0};
   auto alone = std::make_shared<Material::Impl>();
-  alone->channels = channels;
+  alone->channels = part.channels;
   alone->add(part);
   const Material material(std::move(alone));
   return part.kind->prepare_sampling(
@@ -42,7 +42,7 @@ Sampler Sampler::create(const Material& material) {
   auto impl = std::make_shared<Impl>();
   const Material::Impl& whole = material.impl();
   for (const Part& part : whole.parts) {
-    impl->drawn.push_back(prepare_sampling(part, whole.channels));
+    impl->drawn.push_back(prepare_sampling(part));
     if (part.kind->draws()) ++impl->lobes;
     impl->has_gaps = impl->has_gaps || part.kind->has_gaps;
   }

@@ -3,11 +3,13 @@
 #include <algorithm>
 
 #include "engine/material/material_impl.h"
+#include "numeric/extended.h"
+#include "parts/geometry.h"
 
 namespace gonio {
 namespace {
 
-PartTruth truth_of(const Part& part, int channels) { return part.kind->truth(part, channels); }
+PartTruth truth_of(const Part& part) { return part.kind->truth(part); }
 
 // A part with one of its numbers, in all channels, times `factor`.
 Part scaled(const Part& part, std::string_view name, double factor) {
@@ -15,13 +17,13 @@ Part scaled(const Part& part, std::string_view name, double factor) {
   std::vector<double> numbers = lobe->values.all().find(name)->second;
   for (double& number : numbers) number *= factor;
   lobe->values.set(name, std::move(numbers));
-  return {part.kind, part.made, std::move(lobe)};
+  return {part.kind, part.made, std::move(lobe), part.channels};
 }
 
 }  // namespace
 
 Truth::Truth(const Material& material) : channels_(material.channels()) {
-  for (const Part& part : material.impl().parts) parts_.push_back(truth_of(part, channels_));
+  for (const Part& part : material.impl().parts) parts_.push_back(truth_of(part));
 }
 
 std::vector<Truth> Truth::of_roundings(const Material& material, double relative) {
@@ -31,7 +33,7 @@ std::vector<Truth> Truth::of_roundings(const Material& material, double relative
     for (const std::string_view name : parts[i].lobe->model->crossing) {
       for (const double factor : {1 - relative, 1 + relative}) {
         Truth moved(material);
-        moved.parts_[i] = truth_of(scaled(parts[i], name, factor), material.channels());
+        moved.parts_[i] = truth_of(scaled(parts[i], name, factor));
         all.push_back(std::move(moved));
       }
     }

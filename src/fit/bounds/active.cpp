@@ -32,7 +32,7 @@ void add_colours(const Form& form, const FormLobe& lobe, std::span<const double>
   const Colour colour = colour_at(lobe, coefficients, peaks);
   const ColourBounds bounds = form.bounds_of(lobe);
   const bool no_lobe = colour.scale * peaks[lobe.first_column] <= nothing;
-  for (const ColourMember member : members_of(lobe.columns, lobe.coefficient_count)) {
+  for (const ColourMember member : lobe.colours.members()) {
     const double x = colour.*member, lower = bounds.lower.*member, upper = bounds.upper.*member;
     bool at_lower = x <= lower + nothing;
     if (member == &Colour::reflectance) {
@@ -41,7 +41,7 @@ void add_colours(const Form& form, const FormLobe& lobe, std::span<const double>
     } else if (member == &Colour::scale) {
       at_lower = no_lobe || x <= lower;
     }
-    fields.add(lobe.prefix + "parameters." + std::string(name_of(lobe.columns, member)), at_lower,
+    fields.add(field_of(lobe.prefix, lobe.colours.parameter(member)), at_lower,
                is_at_upper(x, upper));
   }
 }
@@ -59,9 +59,8 @@ std::vector<std::string> active_bounds(const Form& form, std::span<const double>
   const BasisAt at(form, parameters.first(form.shapes.size()), false);
   for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
     for (const FormLobe& lobe : form.lobes) {
-      const std::size_t first = form.shapes.size() + c * form.coefficients + lobe.first_coefficient;
-      add_colours(form, lobe, parameters.subspan(first, lobe.coefficient_count), at.peaks(),
-                  nothing, fields);
+      add_colours(form, lobe, parameters.subspan(form.first_of(lobe, c), lobe.coefficient_count),
+                  at.peaks(), nothing, fields);
     }
   }
   return std::move(fields).names();

@@ -26,7 +26,7 @@ CoefficientBounds::CoefficientBounds(const Form& form, std::span<const double> p
   for (const FormLobe& lobe : form.lobes) {
     const Colour most = form.bounds_of(lobe).upper;
     const double height = peaks[lobe.first_column];
-    if (lobe.columns == Columns::diffuse || lobe.columns == Columns::quadratic_diffuse) {
+    if (is_diffuse(lobe.colours.columns)) {
       upper_.push_back(most.diffuse);
       continue;
     }

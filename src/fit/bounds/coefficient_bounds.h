@@ -15,12 +15,12 @@ class CoefficientBounds {
   // `peaks`: what each column is divided by (basis.h).
   CoefficientBounds(const Form& form, std::span<const double> peaks);
 
-  // Minimises x'Ax / 2 - b'x, A positive semidefinite: exactly, but for the diffuse term of
-  // ashikhmin_shirley that a reflectance takes light from; a descent goes on from there.
+  // Minimises x'Ax / 2 - b'x, A positive semidefinite: exactly, but for a diffuse term
+  // that a reflectance takes light from; a descent goes on from there.
   [[nodiscard]] Eigen::VectorXd minimise(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) const;
 
  private:
-  // Two coefficients whose sum is bounded: the scale of Schlick's term.
+  // Two coefficients whose sum is bounded: the amplitude of an affine reflectance.
   struct Sum {
     Eigen::Index first;
     double most;
@@ -33,7 +33,7 @@ class CoefficientBounds {
 
   std::vector<double> upper_;
   std::vector<Sum> sums_;
-  bool own_diffuse_ = false;  // ashikhmin_shirley alone
+  bool own_diffuse_ = false;  // of Columns::affine_over_base
 };
 
 }  // namespace gonio::fit

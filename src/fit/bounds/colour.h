@@ -7,9 +7,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
-#include <string_view>
-#include <vector>
 
 namespace gonio {
 struct Parameter;  // models/description.h
@@ -17,27 +16,46 @@ struct Parameter;  // models/description.h
 
 namespace gonio::fit {
 
-// Where a lobe's coefficients come from and go to. With the lobe's height at h = n taken out:
-enum class Columns {
-  diffuse,            // rd
-  quadratic_diffuse,  // rd, whose square has a column, too
-  scaled,             // scale
-  reflectance,        // scale rs, which only their product tells
-  schlick,            // scale f0, scale (1 - f0)
-  ashikhmin_shirley   // scale rs, scale (1 - rs) and, alone, rd (1 - rs)
+// Where a lobe's coefficients come from and go to. With the lobe's height at h = n taken out, and
+// by what the table says that colours are (Quantity, Dependence):
+enum class Columns : std::uint8_t {
+  diffuse,            // a base colour
+  quadratic_diffuse,  // a base colour, whose square has a column, too
+  scaled,             // an amplitude, a reflectance, or the product of both, which alone is told
+  affine,             // amplitude times reflectance, amplitude times (1 - reflectance)
+  affine_over_base    // these, and a base colour times (1 - reflectance)
 };
 
-// A lobe that has no `reflectance` or `diffuse` term of its own ignores it. Of Columns::reflectance
-// `scale` is the product of scale and rs.
+// Only a base colour, with one coefficient and no height of a lobe?
+inline bool is_diffuse(Columns columns) {
+  return columns == Columns::diffuse || columns == Columns::quadratic_diffuse;
+}
+
+// A lobe that has no `reflectance` or `diffuse` term of its own ignores it. Of Columns::scaled
+// `scale` is the product of amplitude and reflectance.
 struct Colour {
   double scale = 0, reflectance = 0, diffuse = 0;
 };
 using ColourMember = double Colour::*;
 
-// As many members as the lobe has coefficients, in an order of their own.
-std::span<const ColourMember> members_of(Columns columns, std::size_t coefficients);
-// As the table names a member: "scale", "f0", ...
-std::string_view name_of(Columns columns, ColourMember member);
+// The bounds of a model's table.
+struct ColourBounds {
+  Colour lower, upper;
+};
+
+// The parameters of a model that are the colours of one lobe; null where it has none.
+struct LobeColours {
+  Columns columns = Columns::scaled;
+  // Of Columns::scaled the amplitude, or a reflectance that stands alone.
+  const Parameter* scale = nullptr;
+  const Parameter* reflectance = nullptr;
+  const Parameter* diffuse = nullptr;
+
+  // Those of Colour that the lobe has, one for each of its coefficients, in an order of their own.
+  [[nodiscard]] std::span<const ColourMember> members() const;
+  [[nodiscard]] const Parameter& parameter(ColourMember member) const;
+  [[nodiscard]] ColourBounds bounds() const;
+};
 
 // `coefficients`, and the result: with the lobe's height at h = n taken out. Without a lobe its
 // reflectance is 0.
@@ -46,11 +64,5 @@ std::array<double, 3> coefficients_of(Columns columns, const Colour& colour);
 
 // d coefficients_of / d member.
 std::array<double, 3> slopes_of(Columns columns, const Colour& colour, ColourMember member);
-
-// The bounds of a model's table.
-struct ColourBounds {
-  Colour lower, upper;
-};
-ColourBounds colour_bounds(Columns columns, std::span<const Parameter> parameters);
 
 }  // namespace gonio::fit

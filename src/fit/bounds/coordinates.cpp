@@ -13,24 +13,15 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // What rounding may move a colour by.
 constexpr double kRounding = 1e-12;
 
-bool is_diffuse(const FormLobe& lobe) {
-  return lobe.columns == Columns::diffuse || lobe.columns == Columns::quadratic_diffuse;
-}
-
-std::size_t first_of(const Form& form, const FormLobe& lobe, int channel) {
-  return form.shapes.size() + static_cast<std::size_t>(channel) * form.coefficients +
-         lobe.first_coefficient;
-}
-
 void set_coefficients(const FormLobe& lobe, const Colour& colour, std::span<const double> peaks,
                       double* x) {
-  const auto relative = coefficients_of(lobe.columns, colour);
+  const auto relative = coefficients_of(lobe.colours.columns, colour);
   for (std::size_t k = 0; k < lobe.coefficient_count; ++k)
     x[k] = relative[k] * peaks[lobe.first_column + k];
 }
 
 bool is_beyond(const FormLobe& lobe, const ColourBounds& bounds, const Colour& colour) {
-  const auto members = members_of(lobe.columns, lobe.coefficient_count);
+  const auto members = lobe.colours.members();
   return std::any_of(members.begin(), members.end(), [&](ColourMember member) {
     const double x = colour.*member;
     return x > bounds.upper.*member * (1 + kRounding) || x < bounds.lower.*member * (1 - kRounding);
@@ -54,14 +45,14 @@ std::vector<double> within_bounds(const Form& form, std::span<const double> para
                           shape.scale.to_search(shape.upper));
   }
   const BasisAt at(form, std::span(moved).first(form.shapes.size()), false);
-  for (int c = 0; c < channels; ++c) {
+  for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
     for (const FormLobe& lobe : form.lobes) {
-      const std::span x = std::span(moved).subspan(first_of(form, lobe, c), lobe.coefficient_count);
+      const std::span x = std::span(moved).subspan(form.first_of(lobe, c), lobe.coefficient_count);
       for (double& coefficient : x) coefficient = std::max(coefficient, 0.0);
       const ColourBounds bounds = form.bounds_of(lobe);
       Colour colour = colour_at(lobe, x, at.peaks());
       if (!is_beyond(lobe, bounds, colour)) continue;
-      for (const ColourMember member : members_of(lobe.columns, lobe.coefficient_count))
+      for (const ColourMember member : lobe.colours.members())
         colour.*member = std::clamp(colour.*member, bounds.lower.*member, bounds.upper.*member);
       set_coefficients(lobe, colour, at.peaks(), x.data());
     }
@@ -73,7 +64,7 @@ Coordinates::Coordinates(const Form& form, int channels) : form_(form), channels
 
 bool Coordinates::goes_by_colour(std::size_t first) const {
   return std::any_of(by_colour_.begin(), by_colour_.end(),
-                     [&](const Place& place) { return place.first == first; });
+                     [&](const ByColour& one) { return one.first == first; });
 }
 
 bool Coordinates::follow(std::span<const double> parameters, double near) {
@@ -81,10 +72,11 @@ bool Coordinates::follow(std::span<const double> parameters, double near) {
   const std::size_t before = by_colour_.size();
   for (std::size_t i = 0; i < form_.lobes.size(); ++i) {
     const FormLobe& lobe = form_.lobes[i];
-    if (is_diffuse(lobe)) continue;  // it has one coefficient, with all bounds that there are
+    if (is_diffuse(lobe.colours.columns))
+      continue;  // it has one coefficient, with all bounds that there are
     const ColourBounds bounds = form_.bounds_of(lobe);
-    for (int c = 0; c < channels_; ++c) {
-      const std::size_t first = first_of(form_, lobe, c);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
+      const std::size_t first = form_.first_of(lobe, c);
       const Colour colour =
           colour_at(lobe, parameters.subspan(first, lobe.coefficient_count), at.peaks());
       if ((is_near(lobe, bounds, colour, near) || is_beyond(lobe, bounds, colour)) &&
@@ -99,13 +91,13 @@ std::vector<double> Coordinates::from_parameters(std::span<const double> paramet
   std::vector<double> y(parameters.begin(), parameters.end());
   if (plain()) return y;
   const BasisAt at(form_, parameters.first(form_.shapes.size()), false);
-  for (const Place& place : by_colour_) {
-    const FormLobe& lobe = form_.lobes[place.lobe];
+  for (const ByColour& one : by_colour_) {
+    const FormLobe& lobe = form_.lobes[one.lobe];
     const ColourBounds bounds = form_.bounds_of(lobe);
     const Colour colour =
-        colour_at(lobe, parameters.subspan(place.first, lobe.coefficient_count), at.peaks());
-    std::size_t k = place.first;
-    for (const ColourMember member : members_of(lobe.columns, lobe.coefficient_count)) {
+        colour_at(lobe, parameters.subspan(one.first, lobe.coefficient_count), at.peaks());
+    std::size_t k = one.first;
+    for (const ColourMember member : lobe.colours.members()) {
       // What is a bound but for rounding is that bound.
       const double upper = bounds.upper.*member, value = std::min(colour.*member, upper);
       y[k++] = value > upper * (1 - kRounding) ? upper : value;
@@ -118,13 +110,12 @@ std::vector<double> Coordinates::to_parameters(std::span<const double> coordinat
   std::vector<double> x(coordinates.begin(), coordinates.end());
   if (plain()) return x;
   const BasisAt at(form_, coordinates.first(form_.shapes.size()), false);
-  for (const Place& place : by_colour_) {
-    const FormLobe& lobe = form_.lobes[place.lobe];
+  for (const ByColour& one : by_colour_) {
+    const FormLobe& lobe = form_.lobes[one.lobe];
     Colour colour;
-    std::size_t k = place.first;
-    for (const ColourMember member : members_of(lobe.columns, lobe.coefficient_count))
-      colour.*member = coordinates[k++];
-    set_coefficients(lobe, colour, at.peaks(), &x[place.first]);
+    std::size_t k = one.first;
+    for (const ColourMember member : lobe.colours.members()) colour.*member = coordinates[k++];
+    set_coefficients(lobe, colour, at.peaks(), &x[one.first]);
   }
   return x;
 }
@@ -135,21 +126,21 @@ Eigen::MatrixXd Coordinates::slopes(std::span<const double> coordinates) const {
   if (plain()) return T;
   const BasisAt at(form_, coordinates.first(form_.shapes.size()), true);
   const std::vector<double> x = to_parameters(coordinates);
-  for (const Place& place : by_colour_) {
-    const FormLobe& lobe = form_.lobes[place.lobe];
-    const auto members = members_of(lobe.columns, lobe.coefficient_count);
+  for (const ByColour& one : by_colour_) {
+    const FormLobe& lobe = form_.lobes[one.lobe];
+    const auto members = lobe.colours.members();
     Colour colour;
     for (std::size_t j = 0; j < members.size(); ++j)
-      colour.*members[j] = coordinates[place.first + j];
+      colour.*members[j] = coordinates[one.first + j];
     for (std::size_t k = 0; k < lobe.coefficient_count; ++k) {
       const std::size_t column = lobe.first_column + k;
-      const auto row = static_cast<Eigen::Index>(place.first + k);
+      const auto row = static_cast<Eigen::Index>(one.first + k);
       for (std::size_t j = 0; j < members.size(); ++j) {
-        T(row, static_cast<Eigen::Index>(place.first + j)) =
-            slopes_of(lobe.columns, colour, members[j])[k] * at.peaks()[column];
+        T(row, static_cast<Eigen::Index>(one.first + j)) =
+            slopes_of(lobe.colours.columns, colour, members[j])[k] * at.peaks()[column];
       }
       for (std::size_t p = 0; p < form_.shapes.size(); ++p)
-        T(row, static_cast<Eigen::Index>(p)) = x[place.first + k] * at.peak_slope(p, column);
+        T(row, static_cast<Eigen::Index>(p)) = x[one.first + k] * at.peak_slope(p, column);
     }
   }
   return T;
@@ -161,12 +152,12 @@ Bounds Coordinates::bounds() const {
     all.lower.push_back(shape.scale.to_search(shape.lower));
     all.upper.push_back(shape.scale.to_search(shape.upper));
   }
-  for (int c = 0; c < channels_; ++c) {
+  for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
     for (const FormLobe& lobe : form_.lobes) {
       const ColourBounds bounds = form_.bounds_of(lobe);
-      const bool by_colour = goes_by_colour(first_of(form_, lobe, c));
-      for (const ColourMember member : members_of(lobe.columns, lobe.coefficient_count)) {
-        const bool own = by_colour || is_diffuse(lobe);
+      const bool by_colour = goes_by_colour(form_.first_of(lobe, c));
+      for (const ColourMember member : lobe.colours.members()) {
+        const bool own = by_colour || is_diffuse(lobe.colours.columns);
         all.lower.push_back(own ? bounds.lower.*member : 0);
         all.upper.push_back(own ? bounds.upper.*member : kInfinity);
       }
@@ -181,9 +172,9 @@ std::vector<std::string> Coordinates::fields(std::size_t coordinate) const {
   for (const FormLobe& lobe : form_.lobes) {
     const std::size_t at = own - lobe.first_coefficient;
     if (own < lobe.first_coefficient || at >= lobe.coefficient_count) continue;
-    const auto members = members_of(lobe.columns, lobe.coefficient_count);
+    const auto members = lobe.colours.members();
     const auto field = [&](ColourMember member) {
-      return lobe.prefix + "parameters." + std::string(name_of(lobe.columns, member));
+      return field_of(lobe.prefix, lobe.colours.parameter(member));
     };
     if (members.size() == 1 || at == 2 || goes_by_colour(coordinate - at))
       return {field(members[at])};

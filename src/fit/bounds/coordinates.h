@@ -42,14 +42,15 @@ class Coordinates {
   [[nodiscard]] std::vector<std::string> fields(std::size_t coordinate) const;
 
  private:
-  struct Place {
-    std::size_t lobe, first;  // the first of its parameters in one channel
+  // A lobe that goes by its colours in one channel.
+  struct ByColour {
+    std::size_t lobe, first;  // the first of its parameters in that channel
   };
   [[nodiscard]] bool goes_by_colour(std::size_t first) const;
 
   const Form& form_;
   int channels_;
-  std::vector<Place> by_colour_;
+  std::vector<ByColour> by_colour_;
 };
 
 }  // namespace gonio::fit

@@ -17,8 +17,9 @@ Data straight_up() {
   return data;
 }
 
-bool is_diffuse(const FormLobe& lobe) {
-  return lobe.columns == Columns::diffuse || lobe.columns == Columns::quadratic_diffuse;
+// Those of the lobe itself: its own diffuse term is no part of it.
+std::size_t columns_of_height(const FormLobe& lobe) {
+  return std::min<std::size_t>(lobe.column_count, 2);
 }
 
 // From a parabola's values at 1/2 and 1 (and 0 at 0) to its two coefficients; that of the square
@@ -29,6 +30,10 @@ void to_parabola(double* at_half, double* at_one, std::size_t count, double unit
     at_half[i] = 4 * half - one;
     at_one[i] = 2 * (one - 2 * half) * unit;
   }
+}
+
+void to_unit_colour(double* column, std::size_t count, double evaluated_at) {
+  for (std::size_t i = 0; i < count; ++i) column[i] /= evaluated_at;
 }
 
 }  // namespace
@@ -62,11 +67,9 @@ void BasisAt::measure_peaks() {
   Basis peak;
   evaluate(straight_up(), 0, 1, peak);
   for (const FormLobe& lobe : form_.lobes) {
-    if (is_diffuse(lobe)) continue;
+    if (is_diffuse(lobe.colours.columns)) continue;
     const double height = std::max(peak.values[lobe.first_column * peak.stride], 1e-300);
-    // Its own diffuse term is no part of the lobe.
-    const std::size_t count = std::min<std::size_t>(lobe.column_count, 2);
-    for (std::size_t k = lobe.first_column; k < lobe.first_column + count; ++k) {
+    for (std::size_t k = lobe.first_column; k < lobe.first_column + columns_of_height(lobe); ++k) {
       peaks_[k] = height;
       for (std::size_t p = 0; p < shape_count_ && !peak.derivatives.empty(); ++p) {
         const std::size_t first = p * form_.columns + lobe.first_column;
@@ -126,11 +129,16 @@ void BasisAt::evaluate(const Data& data, std::size_t first, std::size_t count, B
   for (std::size_t lobe = 0; lobe < form_.lobes.size(); ++lobe) {
     evaluate_lobe(lobe, batch, to);
     const FormLobe& form = form_.lobes[lobe];
-    if (form.columns == Columns::quadratic_diffuse) {
-      const auto parabola = [&](double* at) { to_parabola(at, at + to.stride, count, form_.unit); };
-      parabola(&to.values[form.first_column * to.stride]);
+    const auto each = [&](const auto& change) {
+      change(&to.values[form.first_column * to.stride]);
       for (const ByShape& shape : lobes_[lobe].shapes)
-        parabola(&to.derivatives[(shape.shape * form_.columns + form.first_column) * to.stride]);
+        change(&to.derivatives[(shape.shape * form_.columns + form.first_column) * to.stride]);
+    };
+    if (form.colours.columns == Columns::quadratic_diffuse)
+      each([&](double* at) { to_parabola(at, at + to.stride, count, form_.unit); });
+    if (form.evaluated_at != 1) {
+      const std::size_t numbers = columns_of_height(form) * to.stride;
+      each([&](double* at) { to_unit_colour(at, numbers, form.evaluated_at); });
     }
     normalise(lobe, count, to);
   }

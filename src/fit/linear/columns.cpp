@@ -3,7 +3,9 @@
 namespace gonio::fit {
 namespace {
 
-bool is_quadratic(const FormLobe& lobe) { return lobe.columns == Columns::quadratic_diffuse; }
+bool is_quadratic(const FormLobe& lobe) {
+  return lobe.colours.columns == Columns::quadratic_diffuse;
+}
 
 // Adds what a lobe's reflectance changes by with the shape whose derivatives begin at that column.
 void add_slope(const FormLobe& lobe, const Basis& basis, std::size_t first,

@@ -1,5 +1,6 @@
 #include "fit/linear/node.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fit/bounds/coefficient_bounds.h"
@@ -10,6 +11,10 @@ namespace {
 
 // |e| is reweighted by 1 / max(|e|, this part of its mean).
 constexpr double kSmooth = 0.05;
+
+bool is_quadratic(const FormLobe& lobe) {
+  return lobe.colours.columns == Columns::quadratic_diffuse;
+}
 
 // One channel: columns (for the coefficients), measured values times cosine and their transform.
 class Channel {
@@ -23,7 +28,7 @@ class Channel {
         basis_(basis),
         values_(problem.data().channel(channel)) {
     predicted_.resize(n_);
-    set_columns(0);
+    set_columns(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.form().coefficients)));
   }
 
   // The coefficients after `passes` solutions; `cost` gets what is added to the objective.
@@ -35,7 +40,7 @@ class Channel {
     Eigen::VectorXd x;
     for (int pass = 0;; ++pass) {
       x = solve_squares(bounds);
-      if (quadratic()) set_columns(x[0]);
+      if (quadratic()) set_columns(x);
       predicted_ = columns_.col(0) * x[0];
       for (Eigen::Index k = 1; k < x.size(); ++k) predicted_ += columns_.col(k) * x[k];
       residual_ = difference();
@@ -48,11 +53,12 @@ class Channel {
 
  private:
   [[nodiscard]] bool quadratic() const {
-    return problem_.form().lobes.front().columns == Columns::quadratic_diffuse;
+    const auto& lobes = problem_.form().lobes;
+    return std::any_of(lobes.begin(), lobes.end(), &is_quadratic);
   }
 
-  // The columns times the cosine; of a quadratic one, as if linear in a coefficient near `x`.
-  void set_columns(double x) {
+  // The columns times the cosine; of a quadratic one, as if linear in a coefficient near its `x`.
+  void set_columns(const Eigen::VectorXd& x) {
     const Form& form = problem_.form();
     columns_.resize(n_, static_cast<Eigen::Index>(form.coefficients));
     const auto column = [&](std::size_t k) {
@@ -60,10 +66,10 @@ class Channel {
     };
     for (const FormLobe& lobe : form.lobes) {
       for (std::size_t k = 0; k < lobe.coefficient_count; ++k) {
-        auto to = columns_.col(static_cast<Eigen::Index>(lobe.first_coefficient + k));
+        const auto at = static_cast<Eigen::Index>(lobe.first_coefficient + k);
+        auto to = columns_.col(at);
         to = column(lobe.first_column + k) * cosine_;
-        if (lobe.columns == Columns::quadratic_diffuse)
-          to += x * column(lobe.first_column + 1) * cosine_;
+        if (is_quadratic(lobe)) to += x[at] * column(lobe.first_column + 1) * cosine_;
       }
     }
   }

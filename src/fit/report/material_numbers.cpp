@@ -4,27 +4,24 @@
 #include <cmath>
 
 #include "fit/linear/basis.h"
-#include "gonio/engine/registry.h"
 
 namespace gonio::fit {
 namespace {
 
-// In a sum a lobe's own diffuse term is held at 0, and no result.
-bool is_held(const FormLobe& lobe, const Parameter& p) {
-  return lobe.columns == Columns::ashikhmin_shirley && lobe.coefficient_count < 3 && p.name == "rd";
+bool is_colour_of(const LobeColours& colours, const Parameter& p) {
+  return &p == colours.scale || &p == colours.reflectance || &p == colours.diffuse;
 }
 
 void append_numbers(const FormLobe& lobe, const LobeSpec& spec, int channels,
                     std::vector<MaterialNumber>& to) {
-  for (const Parameter& p : (*find_model(spec.model))->parameters) {
+  for (const Parameter& p : lobe.model->parameters) {
     const auto found = spec.parameters.find(p.name);
-    if (p.type == ParameterType::word || found == spec.parameters.end() || is_held(lobe, p))
-      continue;
+    if (found == spec.parameters.end() || lobe.held.parameters.contains(p.name)) continue;
     const auto& numbers = std::get<std::vector<double>>(found->second);
-    const bool shared = p.type == ParameterType::number || p.name == "eta" || p.name == "k";
+    const bool shared = !is_colour_of(lobe.colours, p);
     for (int c = 0; c < (shared ? 1 : channels); ++c) {
       const double value = numbers[numbers.size() == 1 ? 0 : static_cast<std::size_t>(c)];
-      to.push_back({lobe.prefix + "parameters." + std::string(p.name), shared ? -1 : c, value, &p});
+      to.push_back({field_of(lobe.prefix, p), shared ? -1 : c, value, &p});
     }
   }
 }

@@ -6,7 +6,6 @@
 
 #include "fit/data/pattern.h"
 #include "fit/search/rotation.h"
-#include "gonio/engine/registry.h"
 
 namespace gonio::fit {
 namespace {
@@ -32,12 +31,6 @@ std::string turned_by(double azimuth) {
   const double degrees = std::remainder(azimuth, 90.0);
   if (std::abs(degrees) < kAlong) return "along the axes of the data's frame";
   return "with axes turned by about " + text(degrees, "%.0f") + " degrees";
-}
-
-bool has_tangents(const Form& form) {
-  return std::any_of(form.lobes.begin(), form.lobes.end(), [](const FormLobe& lobe) {
-    return (*find_model(lobe.words.model))->has_tangents();
-  });
 }
 
 // The model's own anisotropic form, its axes free: its rotation and objective on these pairs.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "gonio/engine/registry.h"
+#include "gonio/models/description.h"
 
 namespace gonio::fit {
 namespace {
@@ -17,8 +17,8 @@ const Parameter* find(std::span<const Parameter> parameters, std::string_view na
 // The word with which `p` has a meaning, where the lobe has another; none if it has that.
 std::optional<std::string> missing_word(const FormLobe& lobe, const Parameter& p) {
   const auto& [parameter, words] = p.used_with;
-  const auto chosen = lobe.words.parameters.find(parameter);
-  if (words.empty() || chosen == lobe.words.parameters.end()) return {};
+  const auto chosen = lobe.held.parameters.find(parameter);
+  if (words.empty() || chosen == lobe.held.parameters.end()) return {};
   const auto& word = std::get<std::string>(chosen->second);
   if (std::find(words.begin(), words.end(), word) != words.end()) return {};
   return std::string(words.front());
@@ -44,7 +44,7 @@ std::string sentence(const std::string& field, double value, double largest,
 std::optional<std::string> substance_hint(const Form& form, const Certificate& report) {
   for (const ShapeParameter& shape : form.shapes) {
     const FormLobe& lobe = form.lobes[shape.lobe];
-    const auto parameters = (*find_model(lobe.words.model))->parameters;
+    const auto parameters = lobe.model->parameters;
     const Parameter* p = find(parameters, shape.names.front());
     // The rotation is a shape, but no parameter of a lobe's model.
     if (p == nullptr || p->presets.empty() || p->preset_partner.empty()) continue;
@@ -54,7 +54,8 @@ std::optional<std::string> substance_hint(const Form& form, const Certificate& r
                      [&](const ParameterReport& r) { return r.field == shape.field; });
     const double largest = largest_of(p->presets);
     if (!word || fitted == report.parameters.end() || fitted->value <= largest) continue;
-    return sentence(shape.field, fitted->value, largest, lobe.words.model + ":" + *word);
+    return sentence(shape.field, fitted->value, largest,
+                    std::string(lobe.model->name) + ":" + *word);
   }
   return {};
 }

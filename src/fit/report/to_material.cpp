@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "fit/linear/basis.h"
-#include "gonio/engine/registry.h"
+#include "gonio/models/description.h"
 
 namespace gonio::fit {
 namespace {
@@ -17,16 +17,9 @@ Numbers shortest(Numbers numbers) {
   return numbers;
 }
 
-const Parameter& parameter_of(const std::string& model, std::string_view name) {
-  const auto& parameters = (*find_model(model))->parameters;
-  return *std::find_if(parameters.begin(), parameters.end(),
-                       [&](const Parameter& p) { return p.name == name; });
-}
-
-void set(LobeSpec& spec, std::string_view name, Numbers numbers, bool exact) {
-  const Parameter& p = parameter_of(spec.model, name);
+void set(LobeSpec& spec, const Parameter& p, Numbers numbers, bool exact) {
   for (double& x : numbers) x = exact ? x : std::clamp(x, p.lower, p.upper);
-  spec.parameters[std::string(name)] = shortest(std::move(numbers));
+  spec.parameters[std::string(p.name)] = shortest(std::move(numbers));
 }
 
 template <class Of>
@@ -38,20 +31,20 @@ Numbers each(const std::vector<Colour>& channels, const Of& of) {
 
 void set_colours(const FormLobe& lobe, const std::vector<Colour>& channels, bool exact,
                  LobeSpec& spec) {
-  if (lobe.columns == Columns::reflectance) {
-    // What a reflectance can say, it says; the scale says the rest.
-    set(spec, "rs", each(channels, [](const Colour& c) { return std::min(c.scale, 1.0); }), exact);
-    set(spec, "scale", each(channels, [](const Colour& c) { return std::max(c.scale, 1.0); }),
-        exact);
+  const LobeColours& colours = lobe.colours;
+  if (colours.columns == Columns::scaled && colours.reflectance != nullptr) {
+    // What a reflectance can say, it says; the amplitude says the rest.
+    const double most = colours.reflectance->upper;
+    set(spec, *colours.reflectance,
+        each(channels, [&](const Colour& c) { return std::min(c.scale, most); }), exact);
+    set(spec, *colours.scale,
+        each(channels, [&](const Colour& c) { return std::max(c.scale / most, 1.0); }), exact);
     return;
   }
-  for (const ColourMember member : members_of(lobe.columns, lobe.coefficient_count)) {
-    set(spec, name_of(lobe.columns, member),
-        each(channels, [&](const Colour& c) { return c.*member; }), exact);
+  for (const ColourMember member : colours.members()) {
+    set(spec, colours.parameter(member), each(channels, [&](const Colour& c) { return c.*member; }),
+        exact);
   }
-  // In a sum a lobe has no diffuse term of its own.
-  if (lobe.columns == Columns::ashikhmin_shirley && lobe.coefficient_count < 3)
-    set(spec, "rd", {0}, exact);
 }
 
 }  // namespace
@@ -64,13 +57,12 @@ MaterialSpec to_material(const Form& form, std::span<const double> parameters, i
   spec.rotation = rotation_of(form, shapes);
   for (std::size_t i = 0; i < form.lobes.size(); ++i) {
     const FormLobe& lobe = form.lobes[i];
-    LobeSpec made = lobe.words;
+    LobeSpec made = lobe.held;
     set_shapes(form, i, shapes, made);
     std::vector<Colour> colours;
     for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
-      const std::size_t first = form.shapes.size() + c * form.coefficients + lobe.first_coefficient;
-      colours.push_back(
-          colour_at(lobe, parameters.subspan(first, lobe.coefficient_count), basis.peaks()));
+      colours.push_back(colour_at(
+          lobe, parameters.subspan(form.first_of(lobe, c), lobe.coefficient_count), basis.peaks()));
       colours.back().scale *= form.unit;
       colours.back().diffuse *= form.unit;
     }

@@ -6,7 +6,6 @@
 
 #include "fit/data/pattern.h"
 #include "fit/report/uncertainty.h"
-#include "gonio/engine/registry.h"
 
 namespace gonio::fit {
 namespace {
@@ -30,7 +29,7 @@ std::optional<std::size_t> shape_named(const Form& form, std::size_t lobe, std::
 // Swaps what belongs to u and v in every lobe.
 void swap_tangents(const Form& form, std::vector<double>& shapes) {
   for (std::size_t lobe = 0; lobe < form.lobes.size(); ++lobe) {
-    const ModelDescription& model = **find_model(form.lobes[lobe].words.model);
+    const ModelDescription& model = *form.lobes[lobe].model;
     if (!model.has_tangents()) continue;
     const auto u = shape_named(form, lobe, model.along_tangents[0]),
                v = shape_named(form, lobe, model.along_tangents[1]);
@@ -104,7 +103,7 @@ void add_aligned(const SearchInput& turned, std::span<const double> aligned, Cer
   const std::size_t found_on = report.stages.empty() ? 0 : report.stages.back().pairs;
   const Uncertainty found = uncertainty_at(problem, parameters, found_on, turned.watch.stop);
   for (const ParameterReport& parameter : found.parameters) {
-    if (parameter.field != kRotation.name || !parameter.determined) continue;
+    if (parameter.field != kRotation.name || parameter.undetermined) continue;
     if (parameter.standard_error < kVagueDegrees) report.parameters.push_back(parameter);
   }
 }

@@ -18,7 +18,7 @@ bool is_far(const ShapeParameter& shape, double a, double b) {
 }
 
 bool are_alike(const FormLobe& a, const FormLobe& b) {
-  return a.words.model == b.words.model && a.words.parameters == b.words.parameters;
+  return a.model == b.model && a.held.parameters == b.held.parameters;
 }
 
 // A lobe's own shapes: the rotation belongs to all lobes with tangents.

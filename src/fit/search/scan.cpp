@@ -84,11 +84,6 @@ std::vector<double> shapes_of(std::size_t node, const std::vector<std::vector<do
 
 }  // namespace
 
-bool is_width(const ShapeParameter& shape) {
-  const std::string& name = shape.names.front();
-  return shape.scale.logarithmic && name != "eta" && name != "k";
-}
-
 std::vector<std::vector<double>> scan_axes(const Form& form, std::optional<Held> held) {
   const auto counts = axis_counts(form, held);
   std::vector<std::vector<double>> axes;

@@ -13,9 +13,6 @@
 
 namespace gonio::fit {
 
-// Does it say how wide a lobe is? That changes f most; Fresnel and shares are gentle.
-bool is_width(const ShapeParameter& shape);
-
 // A shape that a scan leaves where it is, in search scale.
 struct Held {
   std::size_t shape = 0;

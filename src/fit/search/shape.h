@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace gonio {
-struct Parameter;  // models/description.h
-}
+#include "gonio/models/description.h"
 
 namespace gonio::fit {
 
@@ -23,7 +21,8 @@ struct SearchScale {
 };
 
 struct ShapeParameter {
-  std::size_t lobe;                // whose parameter it is
+  std::size_t lobe;  // whose parameter it is
+  Quantity quantity;
   std::vector<std::string> names;  // one, or two that are held equal (alpha_x and alpha_y)
   std::string field;               // as errors name it, e.g. "specular[0].parameters.m"
   SearchScale scale;
@@ -32,9 +31,12 @@ struct ShapeParameter {
   std::optional<double> guess;    // the caller's
 };
 
-// As the model's table has it; lobe, field and guess are the form's to fill in. `dielectric`: an
-// index of refraction is that of one.
-ShapeParameter shape_of(const Parameter& p, bool dielectric);
+// As the model's table has it; lobe, field and guess are the form's to fill in. `dielectric`: a
+// refractive index is that of one.
+ShapeParameter shape_of(const Parameter& p, Quantity quantity, bool dielectric);
+
+// Does it say how wide a lobe is? That changes f most; Fresnel and shares are gentle.
+bool is_width(const ShapeParameter& shape);
 
 // The rotation of the material's tangents, in degrees; `lobe` is the first that has any. Each
 // quarter of a turn, with the parameters along u and v swapped, gives the same material: a scan

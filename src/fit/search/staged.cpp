@@ -17,8 +17,7 @@ std::vector<bool> moving(const Form& form, int channels, bool shapes, bool specu
   std::vector<bool> free(form.shapes.size(), shapes);
   for (int c = 0; c < channels; ++c) {
     for (const FormLobe& lobe : form.lobes) {
-      const bool base =
-          lobe.columns == Columns::diffuse || lobe.columns == Columns::quadratic_diffuse;
+      const bool base = is_diffuse(lobe.colours.columns);
       free.insert(free.end(), lobe.coefficient_count, base ? diffuse : specular);
     }
   }

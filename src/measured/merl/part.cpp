@@ -26,6 +26,8 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kInterpolations{"linear", "nearest"};
 constexpr std::array kParameters{
+    Parameter{
+        .name = "file", .meaning = "a MERL .binary file", .unit = "1", .type = ParameterType::file},
     Parameter{.name = "interpolation",
               .meaning = "between the centres of the neighbouring valid cells, or the cell that "
                          "holds the directions",
@@ -66,7 +68,7 @@ void add_truth(const void* data, const Geometry<Extended>& pair, std::span<long 
 }
 
 template <int kCorners>
-PartTruth truth_of(const Part& part, int /*channels*/) {
+PartTruth truth_of(const Part& part) {
   return {part.made.data, &add_truth<kCorners>};
 }
 
@@ -99,11 +101,18 @@ constexpr PartKind kind(std::size_t i) {
 // In the order of kInterpolations.
 constexpr std::array kKinds{kind<8>(0), kind<1>(1)};
 
+Result<Part> read(const std::filesystem::path& file, const CheckedLobe& lobe) {
+  auto table = MeasuredTable::read_merl(file);
+  if (!table) return table.error();
+  return merl_part(std::move(*table),
+                   lobe.kind == 0 ? Interpolation::linear : Interpolation::nearest);
+}
+
 }  // namespace
 
 void draw(const TableSampling& table, const double (&wi)[3], const double (&xi)[3],
           double (&wo)[3]) {
-  const TableSampling::Direction drawn = table.draw({wi[0], wi[1], wi[2]}, xi[0], xi[1], xi[2]);
+  const Direction drawn = table.draw({wi[0], wi[1], wi[2]}, xi[0], xi[1], xi[2]);
   std::copy(drawn.begin(), drawn.end(), wo);
 }
 
@@ -114,7 +123,7 @@ double density(const TableSampling& table, const double (&wi)[3], const double (
 }  // namespace merl
 
 extern const PartModel kMerlModel;
-const PartModel kMerlModel{merl::kDescription, merl::kKinds, {}};
+const PartModel kMerlModel{merl::kDescription, merl::kKinds, {}, &merl::read};
 
 Part merl_part(std::shared_ptr<const MeasuredTable> table, Interpolation interpolation) {
   const bool linear = interpolation == Interpolation::linear;
@@ -127,7 +136,8 @@ Part merl_part(std::shared_ptr<const MeasuredTable> table, Interpolation interpo
   auto owner = std::make_shared<const merl::Owner>(merl::Owner{constants, std::move(table)});
   return {&merl::kKinds[kind],
           {std::move(owner), bytes},
-          std::make_shared<const CheckedLobe>(CheckedLobe{&kMerlModel.description, kind, {}})};
+          std::make_shared<const CheckedLobe>(CheckedLobe{&kMerlModel.description, kind, {}}),
+          MeasuredTable::kChannels};
 }
 
 }  // namespace gonio

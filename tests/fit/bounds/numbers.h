@@ -53,18 +53,10 @@ inline std::vector<Number> numbers_of(const fit::Form& form) {
     numbers.push_back(
         {shape.lobe, shape.names, shape.lower, shape.upper, shape.start, shape.scale.logarithmic});
   for (std::size_t i = 0; i < form.lobes.size(); ++i) {
-    const fit::FormLobe& lobe = form.lobes[i];
-    for (const Parameter& p : (*find_model(lobe.words.model))->parameters) {
-      const bool own_diffuse = p.name == "rd" && lobe.prefix.rfind("specular", 0) == 0;
-      const bool index = p.name == "eta" || p.name == "k";
-      if (p.type != ParameterType::colour || index || own_diffuse) continue;
-      const auto word = lobe.words.parameters.find(p.used_with.parameter);
-      const auto& words = p.used_with.words;
-      const bool used =
-          words.empty() || (word != lobe.words.parameters.end() &&
-                            std::find(words.begin(), words.end(),
-                                      std::get<std::string>(word->second)) != words.end());
-      if (used) numbers.push_back({i, {std::string(p.name)}, p.lower, p.upper, p.start, false});
+    const fit::LobeColours& colours = form.lobes[i].colours;
+    for (const Parameter& p : form.lobes[i].model->parameters) {
+      if (&p == colours.scale || &p == colours.reflectance || &p == colours.diffuse)
+        numbers.push_back({i, {std::string(p.name)}, p.lower, p.upper, p.start, false});
     }
   }
   return numbers;

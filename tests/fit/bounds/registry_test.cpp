@@ -6,37 +6,22 @@
 
 #include "effort.h"
 #include "fit/bounds/numbers.h"
+#include "fit/registry_cases.h"
 #include "fit/synthetic.h"
 
 namespace gonio::testing {
 namespace {
 
-// Every combination of a model's words.
-std::vector<LobeSpec> lobes_of(const ModelDescription& model) {
-  std::vector<LobeSpec> lobes{{std::string(model.name), {}}};
-  for (const Parameter& p : model.parameters) {
-    if (p.type != ParameterType::word) continue;
-    std::vector<LobeSpec> more;
-    for (const LobeSpec& lobe : lobes) {
-      for (const std::string_view word : p.words) {
-        more.push_back(lobe);
-        more.back().parameters[std::string(p.name)] = std::string(word);
-      }
-    }
-    lobes = std::move(more);
-  }
-  return lobes;
-}
-
-bool has_own_diffuse(const ModelDescription& model) {
-  return std::any_of(model.parameters.begin(), model.parameters.end(),
-                     [](const Parameter& p) { return p.name == "rd"; });
+bool has_base_colour(const ModelDescription& model) {
+  return std::any_of(model.parameters.begin(), model.parameters.end(), [&](const Parameter& p) {
+    return quantity_of(p, model.role) == Quantity::base;
+  });
 }
 
 std::vector<MaterialSpec> forms_of(const ModelDescription& model) {
   std::vector<MaterialSpec> forms;
   for (const LobeSpec& lobe : lobes_of(model)) {
-    if (has_own_diffuse(model)) forms.push_back({lobe, {}, {}});
+    if (has_base_colour(model)) forms.push_back({lobe, {}, {}});
     if (model.role == Role::specular) forms.push_back({{}, LobeSpec{"lambertian", {}}, {lobe}});
   }
   return forms;

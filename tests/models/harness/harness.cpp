@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/material/derivative.h"
+#include "gonio/engine/registry.h"
 #include "models/harness/findings.h"
 #include "models/oracle/run.h"
 #include "models/oracle/truth.h"
@@ -67,10 +68,12 @@ void expect_equal(const Draw& draw, const std::vector<DirectionPair<T>>& pairs, 
 
 // The same roughness or exponent along both tangents.
 Draw made_isotropic(Draw draw) {
-  Parameters& parameters = draw.spec.model->parameters;
-  for (const auto& [x, y] : {std::pair{"alpha_x", "alpha_y"}, std::pair{"nu", "nv"}}) {
-    if (parameters.contains(x)) parameters[y] = parameters[x];
-  }
+  LobeSpec& lobe = *draw.spec.model;
+  const ModelDescription& model = **find_model(lobe.model);
+  if (!model.has_tangents()) return draw;
+  const auto along_u = lobe.parameters.find(model.along_tangents[0]);
+  if (along_u != lobe.parameters.end())
+    lobe.parameters[std::string(model.along_tangents[1])] = along_u->second;
   return draw;
 }
 

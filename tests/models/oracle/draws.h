@@ -23,7 +23,7 @@ struct Draw {
 // starts at 0 takes the eight decades below its upper end. No colour multiplier is drawn above 1:
 // what gains energy by its own word proves nothing.
 inline double at_fraction(const Parameter& p, double t) {
-  if (p.name == "scale") return std::lerp(p.lower, std::min(p.upper, 1.0), t);
+  if (p.quantity == Quantity::amplitude) return std::lerp(p.lower, std::min(p.upper, 1.0), t);
   if (p.scale == Scale::linear) return std::lerp(p.lower, p.upper, t);
   if (t == 0) return p.lower;
   const double from = p.lower > 0 ? p.lower : p.upper * 1e-8;
@@ -120,11 +120,21 @@ inline std::vector<Draw> draws_of(const ModelDescription& model) {
   return draws;
 }
 
+// Whether a word has brought in what reflects less than all.
+inline bool has_fresnel(const ModelDescription& model, const Words& words) {
+  return std::ranges::any_of(model.parameters, [&](const Parameter& p) {
+    const Quantity quantity = quantity_of(p, model.role);
+    const bool fresnel = quantity == Quantity::reflectance ||
+                         quantity == Quantity::refractive_index || quantity == Quantity::extinction;
+    return fresnel && !p.used_with.parameter.empty() && usable_with(words, p);
+  });
+}
+
 // The same with every colour 1 and no Fresnel factor: what these lack of albedo 1, the model loses.
 inline std::vector<Draw> white_draws_of(const ModelDescription& model) {
   std::vector<Draw> draws;
   for (const Words& words : word_choices(model)) {
-    if (words.contains("fresnel") && words.at("fresnel") != "none") continue;
+    if (has_fresnel(model, words)) continue;
     for (const auto& [name, values] : places_in_range()) {
       draws.push_back({name + text_of(words),
                        alone(std::string(model.name), draw_parameters(model, words, values, {1}))});

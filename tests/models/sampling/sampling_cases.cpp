@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "gonio/engine/registry.h"
+
 namespace gonio::testing {
 namespace {
 
@@ -16,10 +18,9 @@ bool has_fresnel(const MaterialSpec& spec) {
 }
 
 bool is_anisotropic(const LobeSpec& lobe) {
-  for (const auto& [x, y] : {std::pair{"alpha_x", "alpha_y"}, std::pair{"nu", "nv"}}) {
-    if (lobe.parameters.contains(x) && lobe.parameters.at(x) != lobe.parameters.at(y)) return true;
-  }
-  return false;
+  const auto& [u, v] = (*find_model(lobe.model))->along_tangents;
+  const auto along_u = lobe.parameters.find(u), along_v = lobe.parameters.find(v);
+  return along_u != lobe.parameters.end() && along_u->second != along_v->second;
 }
 
 bool is_anisotropic(const MaterialSpec& spec) {

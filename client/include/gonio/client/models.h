@@ -40,6 +40,7 @@ struct ParameterInfo {
   std::string used_with;
   std::vector<std::string> used_with_words;
   std::vector<PresetInfo> presets;
+  bool file = false;           // the name of a file of measurements; bounds do not apply
   std::string preset_partner;  // what must be given too where this is a preset; empty: nothing
 };
 

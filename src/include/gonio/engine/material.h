@@ -4,6 +4,8 @@
 // cheap to copy (it shares its data); evaluating one from many threads at once is safe.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -50,6 +52,9 @@ struct MaterialSpec {
 // Whether a rotation is within its bounds; the error names it as `prefix` + "rotation".
 Outcome check_rotation(double degrees, std::string_view prefix);
 
+// Where the file of a measured material lies; an error for one that may not be read.
+using FindFile = std::function<Result<std::filesystem::path>(const std::string& file)>;
+
 class MeasuredTable;  // measured/table.h
 
 enum class Interpolation : std::uint8_t {
@@ -62,6 +67,10 @@ class Material {
   // Checks every name, bound and length. Errors name the field as `prefix` +
   // "specular[0].parameters.alpha_x".
   static Result<Material> create(const MaterialSpec& spec, std::string_view prefix = {});
+  // A measured model as its parameters say, from the file that they name. Errors are those of
+  // create(), of `find_file` and of the format's reader.
+  static Result<Material> from_file(const LobeSpec& spec, std::string_view prefix,
+                                    const FindFile& find_file);
   static Material from_table(std::shared_ptr<const MeasuredTable> table,
                              Interpolation interpolation);
 

@@ -21,6 +21,7 @@ enum class ParameterType : std::uint8_t {
   number,  // one number for all channels
   colour,  // one number, or one per channel
   word,    // one of `words`
+  file,    // the name of a file of measurements; always to be given
 };
 
 // What a number is to f. A fit searches the shapes, indices and extinctions, which all channels
