@@ -26,7 +26,7 @@ namespace {
 using std::chrono::milliseconds;
 
 struct Arguments {
-  gonio::ServerOptions server;
+  gonio::server::ServerOptions server;
   std::size_t max_message_mb = 64;
   std::size_t memory_quota_mb = 1024;
   std::size_t put_quota_mb = 1024;
@@ -62,7 +62,7 @@ std::string check_mode(const std::string& text) {
 }
 
 void describe_service(CLI::App& app, Arguments& arguments) {
-  gonio::ServerOptions& server = arguments.server;
+  gonio::server::ServerOptions& server = arguments.server;
   server.addresses = {"127.0.0.1:50051"};
   app.add_option(
          "-l,--listen", server.addresses,
@@ -206,7 +206,7 @@ bool stop_is_asked_for(const sigset_t& signals, milliseconds time, spdlog::logge
 }
 
 // The first signal lets calls under way end, the second cancels them, the third ends the program.
-void stop_in_turn(gonio::Server& server, milliseconds grace, const sigset_t& signals,
+void stop_in_turn(gonio::server::Server& server, milliseconds grace, const sigset_t& signals,
                   spdlog::logger& logger) {
   const auto stopped = std::async(std::launch::async, [&server, grace] { server.shutdown(grace); });
   bool hurried = false;
@@ -220,7 +220,7 @@ void stop_in_turn(gonio::Server& server, milliseconds grace, const sigset_t& sig
 }
 
 void fill_in(Arguments& arguments) {
-  gonio::ServerOptions& server = arguments.server;
+  gonio::server::ServerOptions& server = arguments.server;
   server.max_message_bytes = arguments.max_message_mb << 20;
   server.memory_quota_bytes = arguments.memory_quota_mb << 20;
   server.put_quota_bytes = arguments.put_quota_mb << 20;
@@ -228,9 +228,9 @@ void fill_in(Arguments& arguments) {
   server.lame_duck = to_milliseconds(arguments.lame_duck_seconds);
   if (!arguments.socket_mode.empty())
     server.socket_mode = static_cast<unsigned>(std::stoul(arguments.socket_mode, nullptr, 8));
-  server.logger = gonio::make_logger(arguments.log_level, arguments.log_format == "json"
-                                                              ? gonio::LogFormat::json
-                                                              : gonio::LogFormat::text);
+  server.logger = gonio::server::make_logger(
+      arguments.log_level, arguments.log_format == "json" ? gonio::server::LogFormat::json
+                                                          : gonio::server::LogFormat::text);
 }
 
 // Says what is wrong, also to those who want no log; gives the exit code.
@@ -243,12 +243,12 @@ int fail(const gonio::Error& error, spdlog::logger& logger) {
 
 int serve(const Arguments& arguments, const sigset_t& signals) {
   spdlog::logger& logger = *arguments.server.logger;
-  gonio::capture_library_logs(logger);
+  gonio::server::capture_library_logs(logger);
   if (arguments.check_only) {
-    const auto checked = gonio::Server::check(arguments.server);
+    const auto checked = gonio::server::Server::check(arguments.server);
     return checked ? 0 : fail(checked.error(), logger);
   }
-  const auto server = gonio::Server::start(arguments.server);
+  const auto server = gonio::server::Server::start(arguments.server);
   if (!server) return fail(server.error(), logger);
   while (!stop_is_asked_for(signals, std::chrono::hours(1), logger)) {
   }
@@ -289,7 +289,7 @@ int main(int argc, char** argv) try {
     return gonio::exit_ok;
   }
   fill_in(arguments);
-  gonio::keep_freed_memory();
+  gonio::server::keep_freed_memory();
   const sigset_t signals = block_signals();
   return serve(arguments, signals);
 } catch (const std::exception& error) {  // out of memory, or of threads

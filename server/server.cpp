@@ -23,7 +23,7 @@
 #include "server/work/calls_under_way.h"
 #include "wire/message.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 constexpr int kMaxThreads = 1024;
@@ -276,4 +276,4 @@ void Server::wait() {
   state_->stopped_changed.wait(lock, [this] { return state_->stopped; });
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

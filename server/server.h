@@ -21,7 +21,7 @@ namespace spdlog {
 class logger;
 }
 
-namespace gonio {
+namespace gonio::server {
 
 struct ServerOptions {
   // Each "host:port" (port 0 takes a free one), "[::1]:port" or "unix:PATH". Empty: reached
@@ -103,4 +103,4 @@ class Server {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

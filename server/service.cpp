@@ -17,7 +17,7 @@
 
 template class grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>;
 
-namespace gonio {
+namespace gonio::server {
 
 Service::Service(const Backend& backend) : backend_(backend) { backend_.server_begins(); }
 
@@ -102,4 +102,4 @@ grpc::ServerWriteReactor<grpc::ByteBuffer>* Service::Chart(grpc::CallbackServerC
   return ProgressCall::start<ChartCall>(backend_, *context, *request);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -11,7 +11,7 @@
 #include "wire/message.h"
 #include "wire/status.h"
 
-namespace gonio {
+namespace gonio::server {
 
 AssessCall::AssessCall(const Backend& backend, grpc::CallbackServerContext& context,
                        grpc::ByteBuffer& response)
@@ -74,4 +74,4 @@ void AssessCall::OnDone() {
   backend.call_ends();
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

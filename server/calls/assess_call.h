@@ -13,7 +13,7 @@
 #include "assess/assess.h"
 #include "server/work/background_work.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class AssessCall final : public grpc::ServerUnaryReactor,
                          public std::enable_shared_from_this<AssessCall> {
@@ -39,4 +39,4 @@ class AssessCall final : public grpc::ServerUnaryReactor,
   std::shared_ptr<AssessCall> self_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace gonio {
+namespace gonio::server {
 
 namespace {
 
@@ -55,4 +55,4 @@ void AccessLine::write(spdlog::logger& logger, const std::string& outcome) const
                1e3 * kernel_seconds);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

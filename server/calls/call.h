@@ -27,7 +27,7 @@ namespace spdlog {
 class logger;
 }
 
-namespace gonio {
+namespace gonio::server {
 
 // Where fits run, and for how long one may.
 struct FitBackend {
@@ -117,4 +117,4 @@ struct AccessLine {
   void write(spdlog::logger& logger, const std::string& outcome) const;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

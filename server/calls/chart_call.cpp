@@ -2,15 +2,15 @@
 
 #include <utility>
 
+#include "wire/mapping/chart_table.h"
 #include "wire/message.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
-grpc::ByteBuffer to_event(std::string_view stage, double done) {
+grpc::ByteBuffer to_event(const chart::Progress& progress) {
   v1::ChartResponse response;
-  response.mutable_progress()->set_stage(std::string(stage));
-  response.mutable_progress()->set_done(done);
+  *response.mutable_progress() = wire::to_message(progress);
   return wire::to_buffer(response);
 }
 
@@ -18,7 +18,7 @@ grpc::ByteBuffer to_event(std::string_view stage, double done) {
 
 ChartCall::ChartCall(const Backend& backend, grpc::CallbackServerContext& context)
     : ProgressCall(backend, context, "Chart", "the chart") {
-  note(to_event("queued", 0));
+  note(to_event({.stage = "queued"}));
 }
 
 Result<std::size_t> ChartCall::prepare(const grpc::ByteBuffer& buffer) {
@@ -34,14 +34,14 @@ Result<grpc::ByteBuffer> ChartCall::work() {
   const auto wanted = chart_wanted(task_);
   if (!wanted) return wanted.error();
   task_.options.stop = [this] { return background().should_stop(); };
-  const auto tables =
-      chart::measure(*wanted, task_.options,
-                     [this](std::string_view part, double done) { note(to_event(part, done)); });
+  auto tables = chart::measure(*wanted, task_.options, [this](std::string_view part, double done) {
+    note(to_event({std::string(part), done}));
+  });
   if (!tables) return tables.error();
   for (const chart::Table& table : *tables) background().access().items += table.rows.size();
   v1::ChartResponse response;
-  *response.mutable_result() = to_wire(*tables, chart::this_machine());
+  *response.mutable_result() = to_wire(std::move(*tables), chart::this_machine());
   return wire::to_buffer(response);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -4,7 +4,7 @@
 #include "server/calls/progress_call.h"
 #include "server/messages/chart_request.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class ChartCall final : public ProgressCall {
  public:
@@ -17,4 +17,4 @@ class ChartCall final : public ProgressCall {
   ChartTask task_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -3,9 +3,10 @@
 #include <utility>
 
 #include "server/messages/fit_messages.h"
+#include "wire/mapping/certificate.h"
 #include "wire/message.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 // The core knows the fields of the form, not what a request calls it.
@@ -22,23 +23,17 @@ Error within_request(Error error) {
   return error;
 }
 
-grpc::ByteBuffer to_event(v1::FitProgress progress) {
+grpc::ByteBuffer to_event(const fit::Progress& progress) {
   v1::FitResponse response;
-  *response.mutable_progress() = std::move(progress);
+  *response.mutable_progress() = wire::to_message(progress);
   return wire::to_buffer(response);
-}
-
-grpc::ByteBuffer at_stage(const char* stage) {
-  v1::FitProgress progress;
-  progress.set_stage(stage);
-  return to_event(std::move(progress));
 }
 
 }  // namespace
 
 FitCall::FitCall(const Backend& backend, grpc::CallbackServerContext& context)
     : ProgressCall(backend, context, "Fit", "the fit") {
-  note(at_stage("queued"));
+  note(to_event({.stage = "queued"}));
 }
 
 Result<std::size_t> FitCall::prepare(const grpc::ByteBuffer& buffer) {
@@ -52,13 +47,13 @@ Result<std::size_t> FitCall::prepare(const grpc::ByteBuffer& buffer) {
 }
 
 Result<grpc::ByteBuffer> FitCall::work() {
-  note(at_stage("data"));
+  note(to_event({.stage = "data"}));
   const auto data = fit_data(request_, task_);
   if (!data) return data.error();
   request_.Clear();
   background().access().items = data->size();
   fit::Watch watch;
-  watch.progress = [this](const fit::Progress& progress) { note(to_event(to_wire(progress))); };
+  watch.progress = [this](const fit::Progress& progress) { note(to_event(progress)); };
   watch.stop = [this] { return background().should_stop(); };
   const auto result = fit::fit(*data, task_.form, task_.options, watch);
   if (!result) return within_request(result.error());
@@ -68,4 +63,4 @@ Result<grpc::ByteBuffer> FitCall::work() {
   return wire::to_buffer(response);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -5,7 +5,7 @@
 #include "server/calls/progress_call.h"
 #include "server/messages/fit_request.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class FitCall final : public ProgressCall {
  public:
@@ -19,4 +19,4 @@ class FitCall final : public ProgressCall {
   FitTask task_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -7,7 +7,7 @@
 #include "base/happens_before.h"
 #include "wire/status.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 using Clock = std::chrono::system_clock;
@@ -127,4 +127,4 @@ void ProgressCall::pump(bool progress_is_due) {
   if (write) StartWrite(&outgoing_);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -19,7 +19,7 @@
 #include "gonio/base/result.h"
 #include "server/work/background_work.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class ProgressCall : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
                      public std::enable_shared_from_this<ProgressCall> {
@@ -74,4 +74,4 @@ class ProgressCall : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
   std::shared_ptr<ProgressCall> self_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

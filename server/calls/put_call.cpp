@@ -8,7 +8,7 @@
 #include "wire/message.h"
 #include "wire/status.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 constexpr const char* kPutPushbackMilliseconds = "1000";
@@ -117,4 +117,4 @@ void PutCall::OnDone() {
   backend.call_ends();
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

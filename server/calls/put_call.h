@@ -8,7 +8,7 @@
 #include "server/calls/call.h"
 #include "server/calls/upload.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class PutCall final : public grpc::ServerReadReactor<grpc::ByteBuffer> {
  public:
@@ -37,4 +37,4 @@ class PutCall final : public grpc::ServerReadReactor<grpc::ByteBuffer> {
   grpc::ByteBuffer incoming_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

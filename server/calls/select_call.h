@@ -4,7 +4,7 @@
 #include "server/calls/progress_call.h"
 #include "server/messages/select_request.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class SelectCall final : public ProgressCall {
  public:
@@ -18,4 +18,4 @@ class SelectCall final : public ProgressCall {
   SelectTask task_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -9,7 +9,7 @@
 #include "wire/codec.h"
 #include "wire/status.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 constexpr std::uint32_t kSlots = 256;
@@ -223,4 +223,4 @@ void StreamCall<W>::pump(std::optional<Answer> answer) {
 template class StreamCall<Evaluation>;
 template class StreamCall<Sampling>;
 
-}  // namespace gonio
+}  // namespace gonio::server

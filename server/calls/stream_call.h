@@ -22,7 +22,7 @@
 // Instantiated once, in service.cpp.
 extern template class grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>;
 
-namespace gonio {
+namespace gonio::server {
 
 template <class W>
 class StreamCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer> {
@@ -76,4 +76,4 @@ class StreamCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   grpc::Status final_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

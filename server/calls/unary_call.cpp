@@ -10,7 +10,7 @@
 #include "wire/codec.h"
 #include "wire/status.h"
 
-namespace gonio {
+namespace gonio::server {
 
 template <class W>
 UnaryCall<W>::UnaryCall(const Backend& backend, grpc::CallbackServerContext& context,
@@ -92,4 +92,4 @@ template class UnaryCall<Evaluation>;
 template class UnaryCall<Sampling>;
 template class UnaryCall<Integration>;
 
-}  // namespace gonio
+}  // namespace gonio::server

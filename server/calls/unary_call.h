@@ -9,7 +9,7 @@
 
 #include "server/calls/call.h"
 
-namespace gonio {
+namespace gonio::server {
 
 template <class W>
 class UnaryCall final : public grpc::ServerUnaryReactor {
@@ -35,4 +35,4 @@ class UnaryCall final : public grpc::ServerUnaryReactor {
   MemoryBudget::Charge charge_;  // until the answer is sent
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 constexpr int kLowestPriority = 19;  // the nice value
@@ -68,4 +68,4 @@ void BackgroundQueue::work(bool lowest) {
   }
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-namespace gonio {
+namespace gonio::server {
 
 class BackgroundQueue {
  public:
@@ -51,4 +51,4 @@ class BackgroundQueue {
   std::vector<std::thread> threads_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -7,7 +7,7 @@
 
 #include "wire/status.h"
 
-namespace gonio {
+namespace gonio::server {
 
 BackgroundWork::BackgroundWork(const Backend& backend, grpc::CallbackServerContext& context,
                                const char* method, const char* work)
@@ -67,4 +67,4 @@ void BackgroundWork::ended(const grpc::Status& status) {
   access_.write(backend_.logger, status.ok() ? "OK" : status.error_message());
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -11,7 +11,7 @@
 
 #include "server/calls/call.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class BackgroundWork {
  public:
@@ -47,4 +47,4 @@ class BackgroundWork {
   MemoryBudget::Charge charge_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

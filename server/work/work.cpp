@@ -5,7 +5,7 @@
 
 #include "wire/convert.h"
 
-namespace gonio {
+namespace gonio::server {
 
 Result<Isa> choose_isa(v1::InstructionSet asked) {
   if (asked == v1::INSTRUCTION_SET_UNSPECIFIED) return best_isa();
@@ -56,4 +56,4 @@ void Work::write(v1::Report& report) const {
   *report.mutable_error_bound() = wire::to_wire(material().error_bound(settings_.precision));
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

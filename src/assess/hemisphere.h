@@ -16,9 +16,9 @@
 #include <functional>
 #include <vector>
 
-namespace gonio::assess {
+#include "numeric/direction.h"
 
-using Direction = std::array<double, 3>;
+namespace gonio::assess {
 
 // A fixed number of columns for each of the directions (interleaved): the density, then others.
 using Integrands = std::function<std::vector<double>(const std::vector<double>& wo)>;

@@ -97,7 +97,8 @@ void Judge::judge_reciprocity(std::span<const double> values, std::span<const do
     // Relative to the cells of a table, as its bounds are.
     const double size = std::max(larger, static_cast<double>(truths_.scale[i]));
     const double error = std::abs(values[i] - exchanged[i]) / size - 2 * unsure(i);
-    keep_worse(worst, {error, pairs_[i / channels], static_cast<int>(i % channels), values[i],
+    const Pair& pair = pairs_[i / channels];
+    keep_worse(worst, {error, pair.wi, pair.wo, static_cast<unsigned>(i % channels), values[i],
                        exchanged[i]});
   }
 }
@@ -111,8 +112,10 @@ void Judge::compare(double value, std::size_t i, std::size_t channels, Findings&
   if (!(scale < largest_)) return;  // beyond the number type, or NaN: truth is not known
   ++findings.checked;
   const auto error = static_cast<double>(std::abs(value - truth) / scale);
-  keep_worse(findings.worst, {std::max(0.0, error - unsure(i)), pairs_[i / channels],
-                              static_cast<int>(i % channels), value, static_cast<double>(truth)});
+  const Pair& pair = pairs_[i / channels];
+  keep_worse(findings.worst,
+             {std::max(0.0, error - unsure(i)), pair.wi, pair.wo,
+              static_cast<unsigned>(i % channels), value, static_cast<double>(truth)});
 }
 
 }  // namespace gonio::assess

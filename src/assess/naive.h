@@ -7,13 +7,14 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 namespace gonio::assess {
 
 template <class T>
 struct Naive {
   using V = std::array<T, 3>;
-  static constexpr T kPi = T(3.14159265358979323846);
+  static constexpr T kPi = T(std::numbers::pi);
 
   static T dot(const V& a, const V& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
   static V half(const V& a, const V& b) {

@@ -1,82 +1,18 @@
-// The result of an assessment. Thread safety: plain values.
+// What an assessment finds, with what only the core has of it. Thread safety: plain values.
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "assess/subject.h"
+#include "gonio/assess/report.h"
 #include "measured/merl/review.h"
 
 namespace gonio::assess {
 
-// A relative error, and where it is.
-struct Worst {
-  double error = 0;
-  Pair at{};
-  int channel = 0;
-  double value = 0, truth = 0;
-};
-
-// The errors of one way of evaluating at one place.
-struct Findings {
-  std::uint64_t nan = 0, infinite = 0, negative = 0;
-  // Values above the bound's `above` where truth is below it: light where there is none.
-  std::uint64_t stray = 0;
-  std::uint64_t checked = 0;  // values to which the relative bound applies
-  // The worst of the checked ones. Where a difference crosses 0, the effect of four roundings of
-  // its parameters is subtracted.
-  Worst worst;
-
-  [[nodiscard]] std::uint64_t improper() const { return nan + infinite + negative; }
-};
-
-struct PlaceReport {
-  std::string_view name, where, failure;
-  std::uint64_t pairs = 0;
-  Findings fast, reference;  // reference: of pairs in float64
-  // The naive form with the pairs of `fast`, in float32 and in float64.
-  std::optional<Findings> naive32, naive64;
-  Worst reciprocity;  // |f(wi, wo) - f(wo, wi)| over the larger, fast; `truth`: the other value
-};
-
-// One direction of incidence: energy by quadrature over wo, and samples against it.
-struct Incidence {
-  double theta = 0, phi = 0;           // radians
-  std::vector<double> albedo;          // of each channel
-  std::vector<double> sampled;         // the same as the mean weight of samples
-  std::vector<double> standard_error;  // of those, as the samples show it
-  // The deviation of these means, with large weights capped, in standard errors that allow for the
-  // effect of such weights (Bernstein's inequality). A deviation of z or more has a probability of
-  // at most 2 exp(-z^2 / 2).
-  std::vector<double> deviation;
-  double mass = 0;         // the integral of the pdf
-  double lost = 0;         // the part of samples below the horizon
-  double unsure = 0;       // of the quadrature, the largest of mass and albedos
-  double probability = 1;  // of samples at least as far from the pdf, by chi-square
-  Worst weight;            // weight pdf against f cos(theta_o), of fast samples
-};
-
-// One check: the value that was found and its limit.
-struct Check {
-  std::string_view name;  // "error_fast"
-  double value = 0, limit = 0;
-  bool passed = false;
-  std::string where;  // "near_mirror", "85 degrees"; empty if nowhere
-  std::string note;   // what was left out, and why; mostly empty
-};
-
-struct Report {
-  int channels = 1;
-  ErrorBound fast, reference;
-  std::vector<PlaceReport> places;
-  std::vector<Incidence> incidences;
-  std::optional<TableReview> table;  // of a measured material
-  std::vector<Check> checks;
-  bool passed = false;  // all checks
-  double cpu_seconds = 0;
+struct Report : Assessment {
+  // Of a measured material. Its findings are in the checks, which travel; the review itself is what
+  // the verdict is from.
+  std::optional<TableReview> table;
 };
 
 }  // namespace gonio::assess

@@ -49,7 +49,8 @@ void weigh(const Subject& subject, const Direction& wi, const Drawn& drawn, std:
     const auto error = static_cast<double>(std::abs(product - f[c] * cosine) / size);
     // NaN counts as the worst.
     if (!std::isnan(worst.error) && !(error <= worst.error))
-      worst = {error, {wi, wo}, static_cast<int>(c), product, static_cast<double>(f[c] * cosine)};
+      worst = {
+          error, wi, wo, static_cast<unsigned>(c), product, static_cast<double>(f[c] * cosine)};
   }
 }
 

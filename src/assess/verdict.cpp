@@ -100,8 +100,12 @@ class Judgement {
     add(check, largest(report_.incidences, of, name_of), limit);
   }
   void add(std::string_view check, std::pair<double, std::string> found, double limit) {
-    report_.checks.push_back(
-        {check, found.first, limit, found.first <= limit, std::move(found.second), {}});
+    report_.checks.push_back({std::string(check),
+                              found.first,
+                              limit,
+                              found.first <= limit,
+                              std::move(found.second),
+                              {}});
   }
 
   void judge_gain() {

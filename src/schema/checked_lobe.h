@@ -1,6 +1,7 @@
 // The checked parameters of one lobe: what a part of a material is made of.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -30,6 +31,10 @@ inline std::string_view word_of(const CheckedLobe& lobe, std::string_view name) 
     kind /= words;
   }
   return {};
+}
+
+inline bool has_word(const UsedWith& with, std::string_view word) {
+  return std::find(with.words.begin(), with.words.end(), word) != with.words.end();
 }
 
 // Whether what is used with some words has a meaning with the lobe's.

@@ -5,10 +5,6 @@
 
 namespace gonio::select {
 
-bool has_model(const MaterialSpec& material) {
-  return material.model || material.diffuse || !material.specular.empty();
-}
-
 Outcome check(const Options& options) {
   const auto size = [](std::size_t n) { return std::to_string(n); };
   if (options.lobes < 1 || options.lobes > 2)

@@ -77,7 +77,7 @@ Outcome Queue::fit_one(Tried& tried) {
   if (!found) return found.error();
   tried.entry.material = std::move(found->material);
   tried.entry.at_bounds = std::move(found->certificate.active_bounds);
-  tried.material = *Material::create(tried.entry.material);
+  tried.material = *Material::create(*tried.entry.material);
   tried.errors = errors_of(*tried.material, validation_, task_.scene.metric);
   return Ok{};
 }

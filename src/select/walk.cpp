@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/text/join.h"
 #include "select/error/rounding.h"
 #include "select/explain.h"
 
@@ -15,12 +16,6 @@ constexpr double kShare = 0.01;  // of the tolerance: a difference that does not
 std::string number(double x, int digits = 3) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.*g", digits, x);
-  return text;
-}
-
-std::string without_numbers(const std::vector<std::string>& fields) {
-  std::string text;
-  for (const std::string& field : fields) text += (text.empty() ? "" : ", ") + field;
   return text;
 }
 
@@ -45,8 +40,7 @@ void Walk::place_on_front(Tried& tried) {
     const double gain = value(best_) - value(tried.errors);
     if (!(upper < 0 && gain > kShare * scene_.tolerance)) {
       entry.remark = "no better than " + best_name_;
-      if (!entry.at_bounds.empty())
-        entry.remark += "; at a bound: " + without_numbers(entry.at_bounds);
+      if (!entry.at_bounds.empty()) entry.remark += "; at a bound: " + joined(entry.at_bounds);
       return;
     }
   }
@@ -60,16 +54,16 @@ Choice Walk::rounded_choice(const Tried& tried, std::size_t index) const {
   Choice choice;
   choice.entry = index;
   choice.material = tried.entry.material;
-  if (has_model(tried.form)) {
+  if (tried.entry.material) {
     const double most = tried.entry.error.value + kShare * scene_.tolerance;
     for (int digits = kFewestDigits; digits <= kMostDigits; ++digits) {
-      const MaterialSpec spec = rounded(tried.entry.material, digits);
+      const MaterialSpec spec = rounded(*tried.entry.material, digits);
       const auto material = Material::create(spec);
       if (!material) continue;
       const auto errors = errors_of(*material, validation_, scene_.metric);
       if (!(bounded(errors, scene_.metric, kWorthTrying).value <= most)) continue;
       choice.material = spec;
-      choice.digits = digits;
+      choice.digits = static_cast<unsigned>(digits);
       break;
     }
   }
@@ -79,7 +73,7 @@ Choice Walk::rounded_choice(const Tried& tried, std::size_t index) const {
 void Walk::certify(Tried& tried, std::size_t index) {
   Choice choice = rounded_choice(tried, index);
   const Material material =
-      choice.digits > 0 ? *Material::create(choice.material) : *tried.material;
+      choice.digits > 0 ? *Material::create(*choice.material) : *tried.material;
   choice.confidence = 1 - (1 - scene_.confidence) * std::exp2(-static_cast<double>(++attempts_));
   choice.error =
       bounded(errors_of(material, certification_, scene_.metric), scene_.metric, choice.confidence);
@@ -89,8 +83,7 @@ void Walk::certify(Tried& tried, std::size_t index) {
     tried.entry.remark = "its certificate failed: at most " + number(choice.error.upper);
     return;
   }
-  const bool fast = choice.error.upper + choice.float32_error < scene_.tolerance;
-  choice.precision = fast ? Precision::fast : Precision::reference;
+  choice.needs_float64 = !(choice.error.upper + choice.float32_error < scene_.tolerance);
   selection_.choice = std::move(choice);
 }
 

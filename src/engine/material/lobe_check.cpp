@@ -49,10 +49,6 @@ Result<std::size_t> check_word(const std::string& field, const Parameter& p,
   return static_cast<std::size_t>(found - p.words.begin());
 }
 
-bool has_word(const UsedWith& with, std::string_view word) {
-  return std::find(with.words.begin(), with.words.end(), word) != with.words.end();
-}
-
 bool usable_with(const Parameter& number, std::string_view word) {
   return has_word(number.used_with, word);
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "fit/report/albedo.h"
+#include "fit/report/metrics.h"
 #include "fit/report/profile.h"
 #include "fit/report/uncertainty.h"
 #include "fit/report/verdict.h"
@@ -50,12 +51,6 @@ Certificate begun(const Data& data, const Options& options) {
 
 }  // namespace
 
-std::string_view name_of(Verdict verdict) {
-  constexpr std::array<std::string_view, 4> kNames{"converged", "bound-limited", "ambiguous",
-                                                   "failed"};
-  return kNames[static_cast<std::size_t>(verdict)];
-}
-
 FitResult certify(const SearchInput& input, const Data& data, Search search) {
   FitResult result{{}, begun(data, input.options)};
   Certificate& report = result.certificate;
@@ -70,7 +65,7 @@ FitResult certify(const SearchInput& input, const Data& data, Search search) {
   add_uncertainty(input, search.parameters, report);
   report.profiles = profiles_of(input, search.parameters);
   add_errors(*material, data, report);
-  judge(input.form, search.parameters, input.data, report);
+  set_verdict(input.form, search.parameters, input.data, report);
   return result;
 }
 

@@ -1,13 +1,14 @@
 // From what a certificate found to the one word that says how far to trust a fit.
 #pragma once
 
+#include "fit/data/data.h"
 #include "fit/form.h"
-#include "fit/report/certificate.h"
+#include "gonio/fit/certificate.h"
 
 namespace gonio::fit {
 
 // Sets verdict and reason; all else is there already.
-void judge(const Form& form, std::span<const double> parameters, const Data& fitted,
-           Certificate& report);
+void set_verdict(const Form& form, std::span<const double> parameters, const Data& fitted,
+                 Certificate& report);
 
 }  // namespace gonio::fit

@@ -5,11 +5,10 @@
 #include <random>
 #include <vector>
 
+#include "numeric/direction.h"
 #include "select/scene.h"
 
 namespace gonio::select {
-
-using Direction = std::array<double, 3>;
 
 struct Pair {
   Direction wi, wo;

@@ -5,6 +5,7 @@
 
 #include "fit/data/data.h"
 #include "gonio/engine/material.h"
+#include "gonio/select/selection.h"
 #include "select/error/interval.h"
 #include "select/scene.h"
 
@@ -27,11 +28,8 @@ std::vector<Ratio> errors_of(const Material& material, const Blocks& blocks, Met
 // The metric from the value of such a ratio.
 double root_if_square(double ratio, Metric metric);
 
-// An error with its one-sided bounds, each of which holds with `confidence`.
-struct Bounded {
-  double value = 0, lower = 0, upper = 0;
-};
 inline constexpr double kWorthTrying = 0.95;  // of bounds on the second set
+// Each bound holds with `confidence`.
 Bounded bounded(const std::vector<Ratio>& errors, Metric metric, double confidence);
 
 // The difference of a material's float32 and float64 evaluations, by the metric (relative to the
