@@ -121,7 +121,8 @@ def main():
         sys.exit(f"no group of {given.groups}")
     with Servers(folder, binaries) as servers:
         differing = compare(chosen, folder, binaries, servers)
-    print("\n".join(left_out))
+    if any(case.group == "pages" for case in chosen):
+        print("\n".join(left_out))
     print(f"{differing} commands differ; they are kept in {folder}" if differing else "all the same")
     if not differing and not given.folder:
         shutil.rmtree(folder)
