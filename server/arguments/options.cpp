@@ -96,6 +96,8 @@ template Option add_option(CLI::App&, const std::string&, unsigned&, const std::
 template Option add_option(CLI::App&, const std::string&, std::int64_t&, const std::string&);
 template Option add_option(CLI::App&, const std::string&, std::uint64_t&, const std::string&);
 template Option add_option(CLI::App&, const std::string&, double&, const std::string&);
+template Option add_option(CLI::App&, const std::string&, std::optional<std::string>&,
+                           const std::string&);
 template Option add_option(CLI::App&, const std::string&, std::optional<double>&,
                            const std::string&);
 template Option add_option(CLI::App&, const std::string&, std::vector<double>&, const std::string&);
