@@ -1,5 +1,5 @@
-// What the handlers share: the parts of the server they work with, and how work gets onto the
-// compute pool.
+// The handlers share these: the parts of the server that they work with, and the way of work to
+// the compute pool.
 #pragma once
 
 #include <grpcpp/support/byte_buffer.h>
@@ -31,7 +31,7 @@ class logger;
 
 namespace gonio::server {
 
-// Where fits run, and for how long one may.
+// The queue in which fits run, and how long one may take.
 struct FitBackend {
   BackgroundQueue& queue;
   std::chrono::milliseconds longest;
@@ -62,7 +62,7 @@ struct Backend {
     stream_ends();
     calls.end();
   }
-  // Of a stream, which is under way only while it owes answers.
+  // The same for a stream, which is under way only while it owes answers.
   void stream_begins() const { happens_after(&materials); }
   void stream_ends() const { happens_before(&memory); }
   void server_ended() const { happens_after(&memory); }
