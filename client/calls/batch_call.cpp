@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "client/transfer/pair_transfer.h"
 #include "client/transfer/transfer.h"
 
 namespace gonio::client {
