@@ -110,6 +110,11 @@ Outcome compute(const Backend& backend, const std::shared_ptr<Work>& work, const
 // How long a client that was refused for this should wait: some jobs are done by then.
 inline constexpr const char* kPushbackMilliseconds = "20";
 inline constexpr const char* kFitPushbackMilliseconds = "1000";
+inline constexpr const char* kPutPushbackMilliseconds = "1000";
+
+// The error of a call that is refused for now. `what`: such as full_memory(memory).
+Error busy(const std::string& what, const char* pushback_milliseconds);
+std::string full_memory(const MemoryBudget& memory);
 
 // One line a call, at level debug.
 struct AccessLine {

@@ -17,8 +17,6 @@
 namespace gonio::server {
 namespace {
 
-constexpr const char* kPutPushbackMilliseconds = "1000";
-
 v1::PutMaterialResponse to_wire(const std::string& name, const PutResult& result) {
   v1::PutMaterialResponse response;
   response.set_name(name);
