@@ -39,7 +39,7 @@ int try_bind(const addrinfo& where) {
   const Socket probe(where.ai_family);
   const int yes = 1;
   if (probe.fd() < 0) return errno;
-  // As gRPC does: connections of an earlier server that linger do not count.
+  // gRPC does the same: connections of an earlier server that linger do not count.
   setsockopt(probe.fd(), SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   return bind(probe.fd(), where.ai_addr, where.ai_addrlen) == 0 ? 0 : errno;
 }

@@ -16,7 +16,7 @@ namespace gonio::server {
 
 using Address = wire::Address;
 
-// As wire::parse_address() does, for option "listen".
+// wire::parse_address() for the option "listen".
 Result<Address> parse_address(std::string_view text);
 
 // Whether it can be listened on. gRPC itself would share a TCP port or take a socket file over from

@@ -22,7 +22,7 @@ std::string shown_message(const spdlog::details::log_msg& message) {
   return shown(view(message.payload), kLongestMessage);
 }
 
-// What is shown already needs no more than these two escaped to stand in a JSON string.
+// Text from shown() needs only these two characters escaped to stand in a JSON string.
 void append_escaped(std::string_view text, spdlog::memory_buf_t& out) {
   for (const char c : text) {
     if (c == '"' || c == '\\') out.push_back('\\');

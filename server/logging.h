@@ -11,9 +11,9 @@ namespace gonio::server {
 
 enum class LogFormat { text, json };
 
-// Both show the message as shown() does (gonio/base/shown.h), since requests, files and peers have
-// words in it: it is one line of valid UTF-8, which can neither forge another nor command a
-// terminal. "2024-01-31 12:00:00.000 info ...", in local time.
+// Both formatters show the message as shown() does (gonio/base/shown.h), since requests, files and
+// peers have words in it: it is one line of valid UTF-8, which can neither forge another nor
+// command a terminal. "2024-01-31 12:00:00.000 info ...", in local time.
 class TextFormatter final : public spdlog::formatter {
  public:
   void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& out) override;

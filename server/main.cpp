@@ -15,7 +15,7 @@ int main(int argc, char** argv) try {
   gonio::server::keep_freed_memory();
   const sigset_t signals = gonio::server::block_signals();
   gonio::server::capture_library_logs(*options.logger);
-  if (arguments.check_only) return gonio::server::check(options);
+  if (arguments.check_only) return gonio::server::check_only(options);
   return gonio::server::serve(options, gonio::server::grace_of(arguments), signals);
 } catch (const std::exception& error) {  // out of memory, or of threads
   std::fprintf(stderr, "goniod: error: %s\n", error.what());

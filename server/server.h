@@ -30,8 +30,8 @@ struct ServerOptions {
   // Each "host:port" (port 0 takes a free one), "[::1]:port" or "unix:PATH". Empty: reached
   // in-process only.
   std::vector<std::string> addresses = {};
-  // Of the UNIX sockets, from their first moment on, whatever the process's umask; none: what that
-  // leaves.
+  // The mode of the UNIX sockets, which they have from their first moment on, whatever the
+  // process's umask. None: the umask decides.
   std::optional<unsigned> socket_mode = {};
   // Compute threads, up to kMostThreads; 0 means one per processor.
   int threads = 0;
@@ -39,14 +39,14 @@ struct ServerOptions {
   std::size_t max_queued_jobs = 256;
   // The largest message received or sent.
   std::size_t max_message_bytes = std::size_t{64} << 20;
-  // What the requests and answers under way may hold, all calls together (one more is refused with
-  // RESOURCE_EXHAUSTED), and what gRPC may hold in buffers beside them.
+  // The memory that the requests and answers under way may hold, all calls together (one more is
+  // refused with RESOURCE_EXHAUSTED), and that gRPC may hold in buffers beside them.
   std::size_t memory_quota_bytes = std::size_t{1} << 30;
   // Every *.json and *.binary in it that can be used is served under its stem; empty for none.
   std::filesystem::path materials = {};
-  // What materials that clients put may hold, all together since the start; one more is refused.
-  // They go into the `materials` folder if there is one that can be written to, else into memory.
-  // 0: none are taken.
+  // The memory of the materials that clients put, all together since the start; one more is
+  // refused. They go into the `materials` folder if there is one that can be written to, else into
+  // memory. 0: none are taken.
   std::size_t put_quota_bytes = std::size_t{1} << 30;
   // Lets a request name a file of this machine: {"model": "measured", "parameters": {"file":
   // "x.binary"}}. Only for a server that is private to one user.
@@ -63,7 +63,7 @@ struct ServerOptions {
   // At the lowest priority, so that evaluation does not wait for them. A process that does one
   // thing at a time has nothing to gain by it, and on a busy machine much to lose.
   bool fits_give_way = true;
-  // Null: no log.
+  // Where the log goes; null: nowhere.
   std::shared_ptr<spdlog::logger> logger = nullptr;
 };
 

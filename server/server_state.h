@@ -1,5 +1,5 @@
-// What a running server consists of. Thread safety: the service's parts are each safe by
-// themselves; the rest is used by Server, which says how.
+// The parts of a running server. Thread safety: the parts that calls use are safe in any thread;
+// Server guards the rest.
 #pragma once
 
 #include <grpcpp/server.h>

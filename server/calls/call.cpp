@@ -7,24 +7,21 @@
 
 namespace gonio::server {
 
-namespace {
-
-Error busy(const std::string& what) {
+Error busy(const std::string& what, const char* pushback_milliseconds) {
   return {ErrorCode::resource_exhausted,
-          "the server's " + what + "; send this one again after " + kPushbackMilliseconds + " ms",
+          "the server's " + what + "; send this one again after " + pushback_milliseconds + " ms",
           "", "", ""};
 }
 
-}  // namespace
+std::string full_memory(const MemoryBudget& memory) {
+  return "memory is full: requests and answers hold " + std::to_string(memory.held()) + " of " +
+         std::to_string(memory.limit()) + " bytes";
+}
 
 Outcome compute(const Backend& backend, const std::shared_ptr<Work>& work, const CallState& state,
                 WorkEnd end) {
   auto charge = backend.memory.take(work->bytes());
-  if (!charge) {
-    return busy("memory is full: requests and answers hold " +
-                std::to_string(backend.memory.held()) + " of " +
-                std::to_string(backend.memory.limit()) + " bytes");
-  }
+  if (!charge) return busy(full_memory(backend.memory), kPushbackMilliseconds);
   work->keep(std::move(charge));
   if (work->is_small()) {
     work->run_all();
@@ -38,8 +35,9 @@ Outcome compute(const Backend& backend, const std::shared_ptr<Work>& work, const
   job.done = std::move(end.done);
   job.failed = std::move(end.failed);
   if (backend.pool.submit(std::move(job))) return Ok{};
-  return busy("queue is full: it holds at most " + std::to_string(backend.max_queued_jobs) +
-              " batches");
+  return busy(
+      "queue is full: it holds at most " + std::to_string(backend.max_queued_jobs) + " batches",
+      kPushbackMilliseconds);
 }
 
 AccessLine::AccessLine(const char* method_name, const char* name_of_items,

@@ -1,5 +1,5 @@
-// What the handlers share: the parts of the server they work with, and how work gets onto the
-// compute pool.
+// The handlers share these: the parts of the server that they work with, and the way of work to
+// the compute pool.
 #pragma once
 
 #include <grpcpp/support/byte_buffer.h>
@@ -31,7 +31,7 @@ class logger;
 
 namespace gonio::server {
 
-// Where fits run, and for how long one may.
+// The queue in which fits run, and how long one may take.
 struct FitBackend {
   BackgroundQueue& queue;
   std::chrono::milliseconds longest;
@@ -62,7 +62,7 @@ struct Backend {
     stream_ends();
     calls.end();
   }
-  // Of a stream, which is under way only while it owes answers.
+  // The same for a stream, which is under way only while it owes answers.
   void stream_begins() const { happens_after(&materials); }
   void stream_ends() const { happens_before(&memory); }
   void server_ended() const { happens_after(&memory); }
@@ -110,6 +110,11 @@ Outcome compute(const Backend& backend, const std::shared_ptr<Work>& work, const
 // How long a client that was refused for this should wait: some jobs are done by then.
 inline constexpr const char* kPushbackMilliseconds = "20";
 inline constexpr const char* kFitPushbackMilliseconds = "1000";
+inline constexpr const char* kPutPushbackMilliseconds = "1000";
+
+// The error of a call that is refused for now. `what`: such as full_memory(memory).
+Error busy(const std::string& what, const char* pushback_milliseconds);
+std::string full_memory(const MemoryBudget& memory);
 
 // One line a call, at level debug.
 struct AccessLine {

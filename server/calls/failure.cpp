@@ -11,7 +11,7 @@
 namespace gonio::server {
 namespace {
 
-// What is short enough to need no memory of its own.
+// So short that the string needs no memory of its own.
 constexpr const char* kNoMemory = "out of memory";
 
 std::string words_of(const std::exception_ptr& failure) {

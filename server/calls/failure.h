@@ -1,4 +1,4 @@
-// What becomes of a call whose work throws: the call ends, the log says so, the server goes on.
+// A call whose work throws ends with an error and a line of the log, and the server goes on.
 // Thread safety: functions without state.
 #pragma once
 

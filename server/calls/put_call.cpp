@@ -17,8 +17,6 @@
 namespace gonio::server {
 namespace {
 
-constexpr const char* kPutPushbackMilliseconds = "1000";
-
 v1::PutMaterialResponse to_wire(const std::string& name, const PutResult& result) {
   v1::PutMaterialResponse response;
   response.set_name(name);
@@ -83,7 +81,7 @@ void PutCall::read() {
   StartRead(&incoming_);
 }
 
-// Not ok: the client has sent all, or is gone.
+// `ok` is false where the client has sent all, or is gone.
 void PutCall::OnReadDone(bool ok) {
   const Reaction reaction(this, &incoming_);
   try {
@@ -133,7 +131,7 @@ void PutCall::store() {
 
 void PutCall::refuse(const Error& error) {
   access_.failed = 1;
-  // What has a bound is too large at any time; memory and queue are full for a moment.
+  // An error with a bound would be the same at any time; memory and queue are full for a moment.
   if (error.code == ErrorCode::resource_exhausted && error.allowed.empty())
     context_.AddTrailingMetadata(wire::kRetryPushback, kPutPushbackMilliseconds);
   end(wire::to_status(error));

@@ -1,4 +1,4 @@
-// What every stream of chunks does, whatever its chunks ask for: it reads chunks, keeps a few of
+// The flow of a stream of chunks, whatever the chunks ask for: it reads chunks, keeps a few of
 // them in flight, and writes the answers as they get ready.
 //
 // Made with new, it deletes itself when gRPC is done with it. Reads are one at a time; what several
@@ -59,7 +59,7 @@ class StreamFlow : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBu
   // More chunks than this are left with gRPC, whose flow control then holds the client back.
   static constexpr std::size_t kMaxInFlight = 8;
 
-  // What gRPC is to be asked for, decided under the lock.
+  // The operations to ask gRPC for, decided under the lock.
   struct Next {
     bool read = false, write = false, finish = false;
     grpc::Status final;

@@ -1,4 +1,4 @@
-// What has come of a PutMaterial call so far: the announced file, checked part by part. Thread
+// The file that a PutMaterial call announces and sends, checked part by part. Thread
 // safety: used by one thread at a time.
 #pragma once
 

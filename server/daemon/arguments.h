@@ -1,4 +1,4 @@
-// What goniod's command line says. Thread safety: plain values; functions without state.
+// The command line of goniod. Thread safety: plain values; functions without state.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@
 namespace gonio::server {
 
 struct Arguments {
-  ServerOptions server;  // filled in as far as options stand for members as they are
+  ServerOptions server;  // options that need no conversion; server_options() adds the others
   std::size_t max_message_mb = 64;
   std::size_t memory_quota_mb = 1024;
   std::size_t put_quota_mb = 1024;

@@ -143,7 +143,7 @@ void describe(CLI::App& app, Arguments& arguments) {
       ->capture_default_str();
 }
 
-// What no option can be checked for by itself.
+// Checks that concern two options.
 void check(const Arguments& arguments) {
   const auto& addresses = arguments.server.addresses;
   if (arguments.memory_quota_mb < arguments.max_message_mb) {
@@ -159,7 +159,7 @@ void check(const Arguments& arguments) {
   }
 }
 
-// What is printed in place of serving; empty: nothing.
+// The text that is printed in place of serving; empty: none.
 std::string text_of(CLI::App& app, const Arguments& arguments) {
   if (!arguments.completion.empty()) return arguments::completion_script(app, arguments.completion);
   if (!arguments.man_page) return {};

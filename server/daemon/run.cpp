@@ -14,7 +14,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// What is wrong with the arguments shows as such, all else as a failure.
+// Wrong arguments have an exit code of their own; every other error is a failure.
 int exit_code_at_start(const Error& error) {
   return exit_code_of(error) == exit_bad_input ? exit_bad_input : exit_failed;
 }
@@ -72,7 +72,7 @@ int serve(const ServerOptions& options, std::chrono::milliseconds grace, const s
   return exit_ok;
 }
 
-int check(const ServerOptions& options) {
+int check_only(const ServerOptions& options) {
   const auto checked = Server::check(options);
   return checked ? exit_ok : fail(checked.error(), *options.logger);
 }

@@ -17,6 +17,6 @@ sigset_t block_signals();
 int serve(const ServerOptions& options, std::chrono::milliseconds grace, const sigset_t& signals);
 
 // Loads everything and serves nothing; gives the exit code.
-int check(const ServerOptions& options);
+int check_only(const ServerOptions& options);
 
 }  // namespace gonio::server

@@ -1,4 +1,4 @@
-// From a material on the wire to one that can be evaluated.
+// Builds the material that a message describes.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ bool is_measured(const v1::Material& material);
 Result<Material> build_material(const v1::Material& material, std::string_view prefix,
                                 const FindFile& find_file);
 
-// What a model or a sum says, unchecked but for its form. Errors as above.
+// The specification that a model or a sum describes; only its form is checked. Errors as above.
 Result<MaterialSpec> material_spec(const v1::Material& material, std::string_view prefix);
 
 }  // namespace gonio::server

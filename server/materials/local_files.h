@@ -15,22 +15,22 @@
 
 namespace gonio::server {
 
-// What of a file tells that it has changed.
+// The attributes of a file by which a change of it is seen.
 struct FileState {
   std::filesystem::path path;
   std::filesystem::file_time_type written;
   std::uintmax_t size = 0;
   bool operator==(const FileState&) const = default;
 
-  // None for what is no file.
+  // None if `path` is not a file.
   static std::optional<FileState> of(const std::filesystem::path& path);
 };
 
 class LocalFiles {
  public:
-  // By the bytes of the request's material.
+  // `bytes`: those of the request's material.
   [[nodiscard]] std::optional<PreparedMaterial> find(std::string_view bytes);
-  // `state`: from before the file was read.
+  // `state`: the file's state before it was read.
   void keep(std::string_view bytes, const FileState& state, const PreparedMaterial& material);
 
  private:

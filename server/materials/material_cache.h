@@ -26,8 +26,8 @@ class MaterialCache {
   static constexpr std::size_t kGeneration = 256;
   static constexpr std::size_t kMaxBytes = 4096;  // of a request's material
   static constexpr std::size_t kMaxMaterialBytes =
-      64 << 10;  // of a prepared one; tables have a store of their own
-  // Of a generation with the samplers that were made since its materials came.
+      64 << 10;  // of a prepared material; tables are stored by Materials
+  // The memory of a generation, with the samplers that were made since its materials came.
   static constexpr std::size_t kMaxGenerationBytes = kGeneration * kMaxMaterialBytes;
 
   using Generation = std::map<std::string, PreparedMaterial, std::less<>>;

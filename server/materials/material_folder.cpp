@@ -14,6 +14,8 @@
 #include <system_error>
 #include <utility>
 
+#include "server/materials/stored_files.h"
+
 namespace gonio::server {
 namespace {
 
@@ -33,7 +35,7 @@ Error taken(const std::string& name) {
                    "a name that no stored material has", ErrorCode::already_exists);
 }
 
-// Of a file that is not there as a whole yet; not loaded, for it is neither .json nor .binary.
+// The name of a file that is not complete yet. It is not loaded: it is neither .json nor .binary.
 constexpr std::string_view kTemporary = ".put-", kPattern = "XXXXXX";
 
 // Is it a name that mkostemp() makes of these?
@@ -132,8 +134,8 @@ NewFile& NewFile::operator=(NewFile&& other) noexcept {
 Outcome NewFile::place(const std::string& name) {
   std::error_code ignored;
   // With both, the next start would not know which is meant.
-  if (fs::exists(folder_ / (name + ".json"), ignored)) return taken(name);
-  const fs::path target = folder_ / (name + ".binary");
+  if (fs::exists(folder_ / (name + std::string(kDescribed)), ignored)) return taken(name);
+  const fs::path target = folder_ / (name + std::string(kMeasured));
   // Unlike rename(), it does not replace what another process has put there meanwhile.
   if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) != 0)
     return errno == EEXIST ? Outcome(taken(name)) : cannot_store("it cannot be named", errno);

@@ -94,8 +94,8 @@ class Materials {
     std::optional<wire::Sha256Sum> sum;  // of what was put
     PutResult put;
   };
-  // Apart, so that a Materials can be moved. Puts follow each other; only their last step, which
-  // takes no time, holds up requests.
+  // The locks are allocated, so that a Materials can be moved. Puts follow each other; requests
+  // wait only for their last step, which takes no time.
   struct Locks {
     std::shared_mutex stored;
     std::mutex putting;

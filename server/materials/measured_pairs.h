@@ -13,10 +13,11 @@
 
 namespace gonio::server {
 
-// Cheap. Error: "pairs.channels".
+// Checks the number of channels, which costs nothing. Error: "pairs.channels".
 Outcome check_pairs(const v1::MeasuredPairs& pairs);
 
-// About what one pair of so many channels costs: the request, its copy in float64 and fit::Data.
+// The memory that one pair of so many channels takes, about: in the request, in float64 and in
+// fit::Data.
 std::size_t bytes_of_pair(std::size_t channels);
 
 // Errors: arrays whose lengths do not agree, as "pairs....".

@@ -13,7 +13,7 @@ namespace {
 
 chart::Options options_of(const v1::ChartRequest& from) {
   chart::Options options;
-  // What int cannot hold is out of bounds all the same.
+  // A number that int cannot hold is out of bounds in any case.
   constexpr std::uint32_t kMost = std::numeric_limits<int>::max();
   set_if_given(options.effort.repetitions, std::min(from.repetitions(), kMost));
   set_if_given(options.effort.seconds, from.seconds());

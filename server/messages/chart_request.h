@@ -28,10 +28,12 @@ struct ChartTask {
 // Parses what has come. Errors: as decode_fit_request().
 Result<v1::ChartRequest> decode_chart_request(const grpc::ByteBuffer& buffer);
 
-// Cheap: parts and options are checked, the material is looked up. Errors name the field.
+// Does no work yet: parts and options are checked, the material is looked up. Errors name the
+// field.
 Result<ChartTask> chart_task(v1::ChartRequest request, const Materials& materials);
 
-// What is measured; takes the pairs from the task. Errors: arrays whose lengths do not agree.
+// The parts to measure and the data for them; takes the pairs from the task. Errors: arrays whose
+// lengths do not agree.
 Result<chart::Wanted> chart_wanted(ChartTask& task);
 
 v1::ChartResult to_wire(std::vector<chart::Table> tables, chart::Machine machine);

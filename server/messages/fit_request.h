@@ -1,4 +1,4 @@
-// What a Fit request asks for, in the core's terms. Thread safety: functions without state.
+// A Fit request in the core's terms. Thread safety: functions without state.
 #pragma once
 
 #include <grpcpp/support/byte_buffer.h>
@@ -24,8 +24,8 @@ struct FitTask {
 // materials that are too large: parsed they take many times their bytes.
 Result<v1::FitRequest> decode_fit_request(const grpc::ByteBuffer& buffer);
 
-// Cheap: the data are looked up, not yet taken apart. Errors name the field: "form.specular[0]...",
-// "options....", "measured....", "pairs....".
+// Does no work yet: the data are looked up, not yet taken apart. Errors name the field:
+// "form.specular[0]...", "options....", "measured....", "pairs....".
 Result<FitTask> fit_task(const v1::FitRequest& request, const Materials& materials);
 
 // `task` must come from the same request. Errors: arrays whose lengths do not agree.

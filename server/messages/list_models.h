@@ -1,4 +1,4 @@
-// What ListModels says. Thread safety: a function without state.
+// The answer to ListModels. Thread safety: a function without state.
 #pragma once
 
 #include "gonio/base/result.h"

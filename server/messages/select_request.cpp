@@ -74,7 +74,7 @@ Result<select::Scene> scene_of(const v1::SelectScene& from) {
 Result<select::Options> options_of(const v1::SelectOptions& from) {
   select::Options options;
   options.whole_front = !from.up_to_the_choice();
-  // What int cannot hold is out of bounds all the same.
+  // A number that int cannot hold is out of bounds in any case.
   set_if_given(options.lobes, std::min<std::uint32_t>(from.lobes(), 1000));
   options.costs = {from.costs().begin(), from.costs().end()};
   set_if_given(options.sizes.fitted, from.fitted());

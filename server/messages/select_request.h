@@ -1,4 +1,4 @@
-// What a Select request asks for, in the core's terms. Thread safety: functions without state.
+// A Select request in the core's terms. Thread safety: functions without state.
 #pragma once
 
 #include <grpcpp/support/byte_buffer.h>
@@ -25,8 +25,9 @@ struct SelectTask {
 // Parses what has come. Errors: as decode_fit_request().
 Result<v1::SelectRequest> decode_select_request(const grpc::ByteBuffer& buffer);
 
-// Cheap: the scene and the options are checked, the material is looked up. Errors name the field:
-// "scene....", "options....", "material....", "pairs....", "reference" where there is none.
+// Does no work yet: the scene and the options are checked, the material is looked up. Errors name
+// the field: "scene....", "options....", "material....", "pairs....", "reference" where there is
+// none.
 Result<SelectTask> select_task(v1::SelectRequest request, const Materials& materials);
 
 // Takes the pairs from the task. Errors: arrays whose lengths do not agree.

@@ -26,20 +26,12 @@ Outcome BackgroundWork::submit(std::size_t bytes, std::function<void()> run,
                              failed(status_of(failure));
                            }};
   if (charge_ && backend_.fits.queue.submit(std::move(job))) return Ok{};
-  const std::string full =
-      charge_
-          ? "queue of fits, assessments, selections and charts is full: it takes " +
-                std::to_string(backend_.fits.queue.max_jobs()) + " at a time"
-          : "memory is full: requests and answers hold " + std::to_string(backend_.memory.held()) +
-                " of " + std::to_string(backend_.memory.limit()) + " bytes, and this one needs " +
-                std::to_string(bytes);
   context_.AddTrailingMetadata(wire::kRetryPushback, kFitPushbackMilliseconds);
-  return Error{
-      ErrorCode::resource_exhausted,
-      "the server's " + full + "; send this one again after " + kFitPushbackMilliseconds + " ms",
-      {},
-      {},
-      {}};
+  const std::string what =
+      charge_ ? "queue of fits, assessments, selections and charts is full: it takes " +
+                    std::to_string(backend_.fits.queue.max_jobs()) + " at a time"
+              : full_memory(backend_.memory) + ", and this one needs " + std::to_string(bytes);
+  return busy(what, kFitPushbackMilliseconds);
 }
 
 bool BackgroundWork::should_stop() const {

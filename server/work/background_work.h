@@ -1,5 +1,5 @@
-// What calls share whose work takes seconds (Fit, Assess, Select): a place in the queue of such
-// work, memory, a deadline of the server's own, and what is said of them.
+// Calls whose work takes seconds (Fit, Assess, Select, Chart) share this: a place in the queue of
+// such work, memory, a deadline of the server's own, and their errors.
 //
 // Thread safety: submit() once, then any thread.
 #pragma once
@@ -26,10 +26,10 @@ class BackgroundWork {
   Outcome submit(std::size_t bytes, std::function<void()> run,
                  std::function<void(grpc::Status)> failed);
 
-  // What ends a call whose work throws `failure`; writes a line of the log.
+  // The status that ends a call whose work throws `failure`; writes a line of the log.
   [[nodiscard]] grpc::Status status_of(const std::exception_ptr& failure) const noexcept;
 
-  // What a job asks again and again; evaluations get on meanwhile.
+  // A job asks this again and again; evaluations get on meanwhile.
   [[nodiscard]] bool should_stop() const;
   [[nodiscard]] bool is_over() const { return state_.is_over(); }
   // Why it is over: cancelled, or past a deadline.

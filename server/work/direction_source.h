@@ -1,5 +1,5 @@
-// Where the directions of one batch come from: arrays in the request's bytes, or a grid that is
-// expanded on the way.
+// The directions of one batch: arrays in the request's bytes, or a grid that is expanded tile by
+// tile.
 //
 // Thread safety: immutable; read() may run in many threads at once.
 #pragma once

@@ -1,4 +1,4 @@
-// One batch of pairs on its way.
+// The work of one batch of pairs: its request, checked, and its answer as it is computed.
 #pragma once
 
 #include <cstddef>

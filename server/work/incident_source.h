@@ -35,7 +35,7 @@ class NumberArray {
   bool is_f64_ = false;
 };
 
-// What Sample and Integrate have in common.
+// The directions and numbers that Sample and Integrate requests share.
 struct IncidentSource {
   NumberArray wi;
   std::uint64_t per_wi = 1;

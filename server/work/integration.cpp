@@ -11,7 +11,7 @@
 namespace gonio::server {
 namespace {
 
-// What an integration has no use for goes here.
+// The samples of one block, of which only the weights are used.
 template <class T>
 struct Drawn {
   T wi[3];

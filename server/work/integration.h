@@ -26,7 +26,7 @@ class Integration final : public Work {
   // Samples of one request: a minute's work.
   static constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 32;
 
-  // As Evaluation's; what is summed up on the way counts as the answer does.
+  // Does what Evaluation::prepare() does. The sums on the way count as the answer does.
   static Result<std::shared_ptr<Integration>> prepare(const Request& request,
                                                       PreparedMaterial material,
                                                       std::size_t max_answer_bytes);

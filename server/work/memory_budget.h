@@ -24,7 +24,8 @@ class MemoryBudget {
   };
   using Charge = std::unique_ptr<MemoryBudget, GiveBack>;
 
-  // Null if there is not so much left. What is alone always fits: waiting would not help it.
+  // Null if less is left. A charge that would be alone is always granted: waiting would not help
+  // it.
   [[nodiscard]] Charge take(std::size_t bytes) {
     std::size_t held = held_;
     do {

@@ -10,9 +10,9 @@ namespace gonio::server {
 
 struct Moments {
   double mean = 0;
-  double squares = 0;  // of the distances from the mean, summed
+  double squares = 0;  // the sum of the squared distances from the mean
 
-  // Of values[0], values[stride], ..., `count` > 0 of them.
+  // The moments of values[0], values[stride], ..., `count` > 0 of them.
   template <class T>
   static Moments of(const T* values, std::size_t stride, std::size_t count) {
     double sum = 0, squares = 0;

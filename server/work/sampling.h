@@ -1,4 +1,4 @@
-// One run of samples on its way.
+// The work of one run of samples: its request, checked, and its answer as it is computed.
 #pragma once
 
 #include <atomic>
@@ -21,7 +21,7 @@ class Sampling final : public Work {
   static constexpr const char* kStreamMethod = "SampleStream";
   static constexpr const char* kItems = "samples";
 
-  // As Evaluation's.
+  // Does what Evaluation::prepare() does, for samples.
   static Result<std::shared_ptr<Sampling>> prepare(const Request& request,
                                                    PreparedMaterial material,
                                                    std::size_t max_answer_bytes);

@@ -1,4 +1,4 @@
-// What a tile's input is brought into, one for each thread, so that no tile allocates.
+// The memory into which a tile's input is copied, one for each thread, so that no tile allocates.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// What is asked of the compute threads: checked, cut into tiles that any of them may run, and made
-// into an answer. Evaluation, Sampling and Integration are the kinds.
+// Work for the compute threads: a request, checked, cut into tiles that any thread may run, and
+// made into an answer. Evaluation, Sampling and Integration are the kinds.
 //
 // Thread safety: different tiles may run at once; take_answer() of the kinds after all of them.
 #pragma once
@@ -55,7 +55,8 @@ class Work {
 
   virtual void run_tile(std::size_t tile) = 0;
   void run_all();
-  // What bytes() has been charged to; whoever takes the answer takes it too, until that is sent.
+  // Keeps the charge for bytes(). Whoever takes the answer takes the charge too, until that is
+  // sent.
   void keep(MemoryBudget::Charge charge) { charge_ = std::move(charge); }
   MemoryBudget::Charge take_charge() { return std::move(charge_); }
   [[nodiscard]] double kernel_seconds() const;
@@ -76,7 +77,7 @@ class Work {
   void run_timed(const Body& body);
   [[nodiscard]] bool any_flagged() const { return any_flags_ != 0; }
   void write(v1::Report& report) const;
-  // What is to be computed, and the memory that it and its request hold.
+  // The number of items to compute, and the memory that they and their request hold.
   void set_size(std::size_t items, std::size_t bytes) {
     items_ = items;
     bytes_ = bytes;

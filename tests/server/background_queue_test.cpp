@@ -7,7 +7,12 @@
 
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <future>
+#include <new>
+#include <string>
+#include <thread>
+#include <variant>
 
 namespace gonio::server {
 namespace {
@@ -55,6 +60,40 @@ TEST(BackgroundQueue, GivesThePlacesBackThatNobodyWaitsFor) {
   queue.drop_over();
   EXPECT_EQ(dropped, 1);
   EXPECT_TRUE(queue.submit(job([] {})));
+  go.set_value();
+}
+
+TEST(BackgroundQueue, GoesOnAfterAJobThatThrows) {
+  BackgroundQueue queue(1, 3);
+  for (int round = 0; round < 3; ++round) {
+    std::promise<std::string> failed;
+    std::promise<void> next;
+    ASSERT_TRUE(queue.submit({[] { throw std::bad_variant_access(); }, [] { return false; },
+                              [&](const std::exception_ptr& failure) {
+                                try {
+                                  std::rethrow_exception(failure);
+                                } catch (const std::exception& error) {
+                                  failed.set_value(error.what());
+                                }
+                              }}));
+    ASSERT_TRUE(queue.submit(job([] { throw 1; })));  // of no use to anybody
+    ASSERT_TRUE(queue.submit(job([&] { next.set_value(); })));
+    EXPECT_EQ(failed.get_future().get(), std::bad_variant_access().what());
+    next.get_future().wait();
+    while (!queue.submit(job([] {}))) std::this_thread::yield();
+  }
+}
+
+TEST(BackgroundQueue, TellsOfAJobThatThrowsWhenItIsDropped) {
+  std::promise<void> go, begun;
+  int failures = 0;
+  BackgroundQueue queue(1, 2);
+  ASSERT_TRUE(queue.submit(job([&] { begun.set_value(), go.get_future().wait(); })));
+  begun.get_future().wait();
+  ASSERT_TRUE(queue.submit({[] { throw std::bad_alloc(); }, [] { return true; },
+                            [&](const std::exception_ptr&) { ++failures; }}));
+  queue.drop_over();
+  EXPECT_EQ(failures, 1);
   go.set_value();
 }
 

@@ -36,9 +36,11 @@ struct Computing {
     const Backend backend{
         materials, pool, 1 << 20, 8, logger, memory, FitBackend{fits, std::chrono::seconds(1)},
         puts,      calls};
-    EXPECT_TRUE(compute(backend, evaluation, state, [done](bool completed) {
-                  done->set_value(completed);
-                }).ok());
+    EXPECT_TRUE(
+        compute(backend, evaluation, state,
+                {[done](bool completed) { done->set_value(completed); },
+                 [done](const std::exception_ptr& failure) { done->set_exception(failure); }})
+            .ok());
     return done->get_future();
   }
   Materials materials;
