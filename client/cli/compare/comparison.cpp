@@ -7,6 +7,7 @@
 #include "base/text/join.h"
 #include "client/cli/arguments/material_argument.h"
 #include "client/cli/output/terminal.h"
+#include "client/cli/report/fit_table.h"
 #include "engine/material/material_impl.h"
 #include "server/materials/materials.h"
 
