@@ -13,6 +13,7 @@
 #include "base/near_names.h"
 #include "base/text/encoding.h"
 #include "client/cli/input/file_kind.h"
+#include "client/cli/tool/known_names.h"
 #include "gonio/base/shown.h"
 #include "gonio/engine/registry.h"
 #include "server/materials/preset_material.h"
@@ -50,9 +51,10 @@ Result<Material> material_beside(const std::string& json, const fs::path& folder
   auto message = wire::material_from_json(json);
   if (!message) return error_in(origin, message.error().message);
   auto& fields = *message->mutable_parameters()->mutable_fields();
-  const auto file = fields.find("file");
+  const Parameter* named = file_parameter(message->model());
+  const auto file = named == nullptr ? fields.end() : fields.find(std::string(named->name));
   // What is no name is left as it is, for the server to say what is wrong with it.
-  if (message->model() == "measured" && file != fields.end() && file->second.has_string_value()) {
+  if (file != fields.end() && file->second.has_string_value()) {
     const std::string name = file->second.string_value();
     if (!embedded) return only_embedded(name);
     if (!name.empty()) file->second.set_string_value(absolute_path(folder / name));
@@ -66,7 +68,9 @@ Result<Material> material_beside(const std::string& json, const fs::path& folder
 
 Result<Material> measured(const std::string& file, bool embedded) {
   if (!embedded) return only_embedded(file);
-  return Material::model("measured", {{"file", absolute_path(file)}});
+  const std::string model(model_of_files().name);
+  const std::string parameter(file_parameter(model)->name);
+  return Material::model(model, {{parameter, absolute_path(file)}});
 }
 
 bool exists(const std::string& file) {

@@ -43,4 +43,20 @@ bool is_fitted(std::string_view model) {
   return fit::make_form({lobe, {}, {}}, {}).ok();
 }
 
+const Parameter* file_parameter(std::string_view model) {
+  const auto known = find_model(model);
+  if (!known) return nullptr;
+  const auto& all = (*known)->parameters;
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [](const Parameter& p) { return p.type == ParameterType::file; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+const ModelDescription& model_of_files() {
+  const auto all = models();
+  return *std::find_if(all.begin(), all.end(), [](const ModelDescription& model) {
+    return file_parameter(model.name) != nullptr;
+  });
+}
+
 }  // namespace gonio::cli

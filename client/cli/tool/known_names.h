@@ -1,4 +1,5 @@
-// Names that a shell may complete. Thread safety: functions without state.
+// What this program knows of models by its own tables: names that a shell may complete, what fits
+// take, and which parameter names a file. Thread safety: functions without state.
 #pragma once
 
 #include <string>
@@ -19,5 +20,10 @@ std::vector<std::string> fitted_names();
 const Parameter* choice_in_fits(std::string_view model);
 // Whether fits take a model. Of a model that these tables do not have the server decides.
 bool is_fitted(std::string_view model);
+
+// A model's parameter that names a file; null if it has none.
+const Parameter* file_parameter(std::string_view model);
+// The first model that reads its values from a file: MERL's tables.
+const ModelDescription& model_of_files();
 
 }  // namespace gonio::cli
