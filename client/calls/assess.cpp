@@ -1,10 +1,10 @@
 #include <utility>
 
+#include "client/calls/state.h"
 #include "client/messages/assess_request.h"
 #include "client/messages/convert.h"
 #include "client/messages/message_json.h"
-#include "client/rpc/check_answer.h"
-#include "client/rpc/state.h"
+#include "client/transfer/check_answer.h"
 #include "gonio/client/client.h"
 #include "gonio/v1/assess.pb.h"
 #include "wire/mapping/assessment.h"

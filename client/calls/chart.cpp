@@ -2,10 +2,10 @@
 #include <optional>
 #include <utility>
 
+#include "client/calls/state.h"
 #include "client/messages/chart_request.h"
-#include "client/rpc/check_answer.h"
 #include "client/rpc/progress_call.h"
-#include "client/rpc/state.h"
+#include "client/transfer/check_answer.h"
 #include "gonio/client/client.h"
 #include "gonio/v1/chart.pb.h"
 #include "wire/mapping/chart_table.h"

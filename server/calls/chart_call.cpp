@@ -1,11 +1,13 @@
-#include "server/calls/chart_call.h"
-
+// One Chart call: the measurements, with their progress. Thread safety: see progress_call.h.
 #include <utility>
 
+#include "server/calls/progress_call.h"
+#include "server/calls/start_calls.h"
+#include "server/messages/chart_request.h"
 #include "wire/mapping/chart_table.h"
 #include "wire/message.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 grpc::ByteBuffer to_event(const chart::Progress& progress) {
@@ -14,7 +16,16 @@ grpc::ByteBuffer to_event(const chart::Progress& progress) {
   return wire::to_buffer(response);
 }
 
-}  // namespace
+class ChartCall final : public ProgressCall {
+ public:
+  ChartCall(const Backend& backend, grpc::CallbackServerContext& context);
+
+ private:
+  Result<std::size_t> prepare(const grpc::ByteBuffer& request) override;
+  Result<grpc::ByteBuffer> work() override;
+
+  ChartTask task_;
+};
 
 ChartCall::ChartCall(const Backend& backend, grpc::CallbackServerContext& context)
     : ProgressCall(backend, context, "Chart", "the chart") {
@@ -44,4 +55,11 @@ Result<grpc::ByteBuffer> ChartCall::work() {
   return wire::to_buffer(response);
 }
 
-}  // namespace gonio
+}  // namespace
+
+ProgressReactor* start_chart(const Backend& backend, grpc::CallbackServerContext& context,
+                             const grpc::ByteBuffer& request) {
+  return ProgressCall::start<ChartCall>(backend, context, request);
+}
+
+}  // namespace gonio::server

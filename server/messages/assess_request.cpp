@@ -3,7 +3,7 @@
 #include "server/messages/decode_request.h"
 #include "wire/mapping/assessment.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 assess::Limits limits_of(const v1::AssessLimits& from) {
@@ -44,4 +44,4 @@ v1::AssessResponse to_wire(const assess::Assessment& assessment) {
   return wire::to_message(assessment);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -8,7 +8,7 @@
 #include "server/messages/decode_request.h"
 #include "wire/mapping/chart_table.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 chart::Options options_of(const v1::ChartRequest& from) {
@@ -74,4 +74,4 @@ v1::ChartResult to_wire(std::vector<chart::Table> tables, chart::Machine machine
   return wire::to_message(chart::Chart{std::move(machine), std::move(tables)});
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -14,7 +14,7 @@
 #include "gonio/v1/chart.pb.h"
 #include "server/materials/materials.h"
 
-namespace gonio {
+namespace gonio::server {
 
 struct ChartTask {
   std::vector<std::string> parts;
@@ -36,4 +36,4 @@ Result<chart::Wanted> chart_wanted(ChartTask& task);
 
 v1::ChartResult to_wire(std::vector<chart::Table> tables, chart::Machine machine);
 
-}  // namespace gonio
+}  // namespace gonio::server

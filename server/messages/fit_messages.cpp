@@ -3,7 +3,7 @@
 #include "server/messages/material_message.h"
 #include "wire/mapping/certificate.h"
 
-namespace gonio {
+namespace gonio::server {
 
 v1::FitResult to_wire(const fit::FitResult& result) {
   v1::FitResult to;
@@ -12,4 +12,4 @@ v1::FitResult to_wire(const fit::FitResult& result) {
   return to;
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -4,8 +4,8 @@
 #include "fit/fit.h"
 #include "gonio/v1/fit.pb.h"
 
-namespace gonio {
+namespace gonio::server {
 
 v1::FitResult to_wire(const fit::FitResult& result);
 
-}  // namespace gonio
+}  // namespace gonio::server

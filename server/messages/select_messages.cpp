@@ -3,8 +3,8 @@
 #include "server/messages/material_message.h"
 #include "wire/mapping/selection.h"
 
-namespace gonio {
+namespace gonio::server {
 
 v1::SelectResult to_wire(const select::Selection& selection) { return wire::to_message(selection); }
 
-}  // namespace gonio
+}  // namespace gonio::server

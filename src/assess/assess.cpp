@@ -12,7 +12,7 @@
 namespace gonio::assess {
 namespace {
 
-// Of this thread.
+// CPU time of the calling thread, in seconds.
 double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

@@ -1,4 +1,5 @@
-// What a chart was measured on, and with. Thread safety: a function without state.
+// The machine and the build that a chart was measured with. Thread safety: a function without
+// state.
 #pragma once
 
 #include "gonio/chart/table.h"

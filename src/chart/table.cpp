@@ -25,7 +25,7 @@ void add_time_cells(std::vector<Cell>& row, const timing::Spread& spread) {
 
 void add_front(Table& table, std::string_view cost, std::string_view error,
                std::string_view among) {
-  // What answers NaN or less than 0 somewhere is on no front.
+  // Choices that give NaN or negative values somewhere are on no front.
   constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
   const bool counted =
       std::ranges::find(table.columns, "improper", &Column::name) != table.columns.end();

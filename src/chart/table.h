@@ -14,7 +14,7 @@ namespace gonio::chart {
 // "repetitions".
 void add_time_columns(Table& table, const std::string& name, const std::string& unit,
                       const std::string& of_what);
-// Their cells.
+// The cells of these columns.
 void add_time_cells(std::vector<Cell>& row, const timing::Spread& spread);
 
 // A last column "front": whether a row is on the front of two columns, among the rows that have the

@@ -36,7 +36,7 @@ double Queue::cost_of(const Entry& entry) const {
   return 0;
 }
 
-// As a candidate that needs no fit.
+// The reference as a candidate that needs no fit.
 void Queue::add_reference(const Material& reference) {
   Tried tried;
   tried.entry.name = kReferencePart;
@@ -47,7 +47,7 @@ void Queue::add_reference(const Material& reference) {
   waiting_.push_back(std::move(tried));
 }
 
-// Those of the same parts have the same price, whatever their numbers.
+// Candidates of the same parts have the same cost, whatever their numbers.
 Outcome Queue::set_prices() {
   std::vector<Priced> priced;
   for (const Tried& tried : waiting_) {
@@ -94,7 +94,7 @@ Outcome Queue::fill(const Material* reference) {
     tried.entry.bytes = Material::create(with_channels(candidate.form, channels))->bytes();
     waiting_.push_back(std::move(tried));
   }
-  // A table that does not price the reference leaves it out.
+  // Without a cost for it in the table the reference is left out.
   const CostTable& costs = task_.options.costs;
   if (reference != nullptr && (costs.empty() || costs.contains(kReferencePart)))
     add_reference(*reference);
@@ -124,7 +124,7 @@ Outcome Queue::walk(Walk& walk) {
     std::stable_sort(first, end, errs_less);
     for (; first != end; ++first) walk.take(std::move(*first));
   }
-  // What costs more is looked at only where that costs nothing: the reference.
+  // Of what costs more than the choice only the reference is examined, because it needs no fit.
   for (; first != waiting_.end(); ++first) {
     if (first->material) walk.take(std::move(*first));
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/text/join.h"
 #include "select/error/rounding.h"
 #include "select/explain.h"
 
@@ -10,17 +11,11 @@ namespace gonio::select {
 namespace {
 
 constexpr double kFrontConfidence = 0.99;
-constexpr double kShare = 0.01;  // of the tolerance: what does not matter to a scene
+constexpr double kShare = 0.01;  // of the tolerance: a difference that does not matter to a scene
 
 std::string number(double x, int digits = 3) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.*g", digits, x);
-  return text;
-}
-
-std::string without_numbers(const std::vector<std::string>& fields) {
-  std::string text;
-  for (const std::string& field : fields) text += (text.empty() ? "" : ", ") + field;
   return text;
 }
 
@@ -45,8 +40,7 @@ void Walk::place_on_front(Tried& tried) {
     const double gain = value(best_) - value(tried.errors);
     if (!(upper < 0 && gain > kShare * scene_.tolerance)) {
       entry.remark = "no better than " + best_name_;
-      if (!entry.at_bounds.empty())
-        entry.remark += "; at a bound: " + without_numbers(entry.at_bounds);
+      if (!entry.at_bounds.empty()) entry.remark += "; at a bound: " + joined(entry.at_bounds);
       return;
     }
   }
@@ -55,7 +49,7 @@ void Walk::place_on_front(Tried& tried) {
   best_name_ = entry.name;
 }
 
-// The material of the fewest digits that err no more, by the second set.
+// The material rounded to the fewest digits that do not increase its error on the second set.
 Choice Walk::rounded_choice(const Tried& tried, std::size_t index) const {
   Choice choice;
   choice.entry = index;
@@ -100,7 +94,7 @@ void Walk::take(Tried tried) {
   entry.meets = entry.error.upper < scene_.tolerance;
   place_on_front(tried);
   if (!has_choice()) {
-    // An anisotropy that is not seen is not chosen because chance favours it.
+    // An anisotropic candidate that errs less only by chance is not chosen.
     if (entry.meets && (entry.on_front || !tried.anisotropic)) certify(tried, index);
     if (!has_choice()) {
       if (entry.remark.empty()) entry.remark = "misses the tolerance";

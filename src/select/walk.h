@@ -1,11 +1,11 @@
-// The walk from the cheapest candidate up: who is on the front, and who is chosen.
+// Decides, in ascending order of cost, which candidates are on the front and which is chosen.
 #pragma once
 
 #include "select/select.h"
 
 namespace gonio::select {
 
-// A candidate with what deciding needs.
+// A fitted candidate with its errors.
 struct Tried {
   Entry entry;
   MaterialSpec form;
@@ -20,7 +20,7 @@ class Walk {
   Walk(const Scene& scene, const Sets& sets);
 
   [[nodiscard]] const Blocks& validation() const { return validation_; }
-  // The next one; `tried` has been fitted.
+  // Takes the next candidate, which has been fitted.
   void take(Tried tried);
   [[nodiscard]] bool has_choice() const { return selection_.choice.has_value(); }
   Selection finish() &&;

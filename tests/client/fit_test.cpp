@@ -33,7 +33,7 @@ TEST_F(Fit, IsTheLibrarysOwnOnEveryTransport) {
   ASSERT_TRUE(data.ok());
   const auto own = fit::fit(*data, gonio::testing::form_of(kTruth), {});
   ASSERT_TRUE(own.ok());
-  auto expected = to_wire(*own);
+  auto expected = server::to_wire(*own);
   const auto forget_time = [](v1::FitCertificate& certificate) {
     certificate.clear_cpu_seconds();
     for (auto& stage : *certificate.mutable_stages()) stage.clear_cpu_seconds();
@@ -116,7 +116,7 @@ TEST_F(Fit, TakesAMeasuredMaterialOfTheServers) {
     return gonio::testing::Rgb{f, f / 2, f / 4};
   };
   ASSERT_TRUE(gonio::testing::write_merl(folder_ / "grey.binary", grey));
-  start_with([&](ServerOptions& options) { options.materials = folder_ / ""; });
+  start_with([&](server::ServerOptions& options) { options.materials = folder_ / ""; });
   client::FitData data;
   data.measured = client::Material::named("grey");
   const auto result = connect("tcp").fit(data, client::Material::model("lambertian"));

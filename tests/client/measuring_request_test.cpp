@@ -59,7 +59,7 @@ TEST(RequestFields, OfAChart) {
   ASSERT_TRUE(request);
   expect_all_set(*request);
   EXPECT_EQ(request->pairs().values_size(), 3);
-  const auto task = chart_task(*request, Materials());
+  const auto task = server::chart_task(*request, server::Materials());
   ASSERT_TRUE(task) << task.error().message;
   EXPECT_EQ(task->parts, sent.parts);
   EXPECT_EQ(task->pairs.values_size(), 3);

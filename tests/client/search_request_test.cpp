@@ -36,7 +36,7 @@ TEST(RequestFields, OfAFit) {
   const auto request = client::fit_request(one_pair(), client::Material::model("lambertian"), sent);
   ASSERT_TRUE(request);
   expect_all_set(*request);
-  const auto task = fit_task(*request, Materials());
+  const auto task = server::fit_task(*request, server::Materials());
   ASSERT_TRUE(task) << task.error().message;
   const fit::Options& got = task->options;
   EXPECT_EQ(got.objective, sent.objective);
@@ -120,7 +120,7 @@ TEST(RequestFields, OfASelection) {
       client::select_request(client::Material::model("lambertian"), scene, options);
   ASSERT_TRUE(request);
   expect_all_set(*request);
-  const auto task = select_task(*request, Materials());
+  const auto task = server::select_task(*request, server::Materials());
   ASSERT_TRUE(task) << task.error().message;
   expect_same(task->scene, scene);
   expect_same(task->options, options);

@@ -98,16 +98,13 @@ Outcome measure_there(const client::Client& client, const ChartArguments& argume
 // can be.
 Result<chart::Table> measure_wire(const ChartArguments& arguments) {
   ConnectionOptions connection = arguments.connection;
-  std::unique_ptr<Server> own;
+  std::optional<EmbeddedServer> own;
   if (connection.server.empty()) {
     const std::string name = "gonio-chart-" + std::to_string(::getpid());
     connection.server = "unix:" + (fs::temp_directory_path() / name).string();
-    ServerOptions options;
-    options.threads = connection.threads;
-    options.addresses = {connection.server};
-    auto started = Server::start(options);
+    auto started = EmbeddedServer::start_at(connection.server, connection.threads);
     if (!started) return started.error();
-    own = std::move(*started);
+    own.emplace(std::move(*started));
   }
   return chart_wire(
       [&](client::ClientOptions options) {

@@ -4,9 +4,9 @@
 #include <memory>
 #include <utility>
 
+#include "base/text/join.h"
 #include "client/cli/arguments/material_argument.h"
 #include "client/cli/output/terminal.h"
-#include "client/cli/output/text.h"
 #include "client/cli/report/fit_table.h"
 #include "engine/material/material_impl.h"
 #include "server/materials/materials.h"
@@ -14,7 +14,7 @@
 namespace gonio::cli {
 namespace {
 
-Result<Compared> build(const Materials& materials, const std::string& argument) {
+Result<Compared> build(const server::Materials& materials, const std::string& argument) {
   auto material = read_material(argument, true);
   if (!material) return material.error();
   auto built = materials.resolve(material->wire());
@@ -58,7 +58,7 @@ Outcome check_channels(const std::string& name, const Material& material, const 
 }
 
 Result<Reference> read_reference(const std::string& file, bool degrees,
-                                 const Materials& materials) {
+                                 const server::Materials& materials) {
   auto input = read_measured(file, true, degrees);
   if (!input) return input.error();
   std::shared_ptr<const MeasuredTable> table;
@@ -82,7 +82,7 @@ std::string shown_name(const std::string& argument) {
 
 Result<Comparison> read_comparison(const std::string& reference,
                                    const std::vector<std::string>& arguments, bool degrees) {
-  Materials materials;
+  server::Materials materials;
   materials.allow_local_files();
   auto read = read_reference(reference, degrees, materials);
   if (!read) return read.error();
@@ -98,7 +98,7 @@ Result<Comparison> read_comparison(const std::string& reference,
 }
 
 Result<chart::Measured> read_chart_data(const std::string& file, bool degrees) {
-  Materials materials;
+  server::Materials materials;
   materials.allow_local_files();
   auto read = read_reference(file, degrees, materials);
   if (!read) return read.error();

@@ -5,7 +5,7 @@
 #include "client/cli/output/numbers.h"
 #include "client/cli/output/text.h"
 #include "client/cli/report/fit_table.h"
-#include "client/cli/scene/json.h"
+#include "client/cli/output/json.h"
 
 namespace gonio::cli {
 namespace {

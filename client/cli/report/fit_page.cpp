@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "client/cli/output/text.h"
+#include "base/text/join.h"
 #include "gonio/base/shown.h"
 
 namespace gonio::cli {

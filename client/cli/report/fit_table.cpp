@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "base/text/join.h"
 #include "client/cli/output/text.h"
 
 namespace gonio::cli {

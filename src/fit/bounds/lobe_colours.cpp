@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+
 namespace gonio::fit {
 namespace {
 

@@ -65,7 +65,7 @@ FitResult certify(const SearchInput& input, const Data& data, Search search) {
   add_uncertainty(input, search.parameters, report);
   report.profiles = profiles_of(input, search.parameters);
   add_errors(*material, data, report);
-  judge(input.form, search.parameters, input.data, report);
+  set_verdict(input.form, search.parameters, input.data, report);
   return result;
 }
 

@@ -1,13 +1,12 @@
 #include "fit/report/uncertainty.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "fit/bounds/active.h"
 #include "fit/bounds/coordinates.h"
 #include "fit/linear/equations_block.h"
+#include "fit/report/indistinct.h"
 #include "fit/report/material_numbers.h"
 #include "fit/report/scores.h"
 
@@ -15,81 +14,11 @@ namespace gonio::fit {
 namespace {
 
 constexpr double kNormal95 = 1.959963984540054;
-// Eigenvalues of a unit-diagonal matrix below this: a direction that the data do not see.
-constexpr double kUnseen = 1e-3;
-constexpr double kTogether = 0.98;   // the least correlation that is reported
-constexpr double kTakesPart = 0.3;   // a parameter's least share in such a direction
-constexpr double kLeastPart = 1e-3;  // and of one that goes with it
 // A column whose height is below this part of the data's mean is not seen.
 constexpr double kNothing = 1e-8;
 // A standard error so many times a number says nothing of it.
 constexpr double kVague = 10;
 constexpr double kBlind = 1e6;
-
-// Adds the fields that are not there yet.
-void add_fields(const std::vector<std::string>& from, std::vector<std::string>& to) {
-  for (const std::string& field : from) {
-    if (std::find(to.begin(), to.end(), field) == to.end()) to.push_back(field);
-  }
-}
-
-// The fields that take part in a direction, by their `shares` in it. With a unit diagonal none is
-// unseen by itself: where one field alone has a large share, the next goes with it.
-std::vector<std::string> taking_part(const Coordinates& coordinates, const Eigen::VectorXd& shares,
-                                     const std::vector<std::size_t>& free) {
-  // Spread over many channels no parameter has much of it: then the largest takes part.
-  const double least = std::min(kTakesPart, 0.999 * shares.maxCoeff());
-  std::vector<std::size_t> order(free.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto share = [&](std::size_t i) { return shares[static_cast<Eigen::Index>(i)]; };
-  std::vector<std::string> fields;
-  for (const std::size_t i : order) {
-    if (share(i) > least) add_fields(coordinates.fields(free[i]), fields);
-  }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return share(a) > share(b); });
-  for (const std::size_t i : order) {
-    if (fields.size() > 1 || share(i) < kLeastPart) break;
-    add_fields(coordinates.fields(free[i]), fields);
-  }
-  return fields;
-}
-
-// Directions of nearly no curvature, by the fields that take part. `H` is of the coordinates
-// `free`.
-std::vector<Indistinct> unseen(const Coordinates& coordinates, const Eigen::MatrixXd& H,
-                               const std::vector<std::size_t>& free) {
-  const Eigen::VectorXd scale = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * H *
-                                                             scale.asDiagonal());
-  std::vector<Indistinct> found;
-  for (Eigen::Index k = 0; k < eigen.eigenvalues().size(); ++k) {
-    if (eigen.eigenvalues()[k] > kUnseen) break;  // they come in rising order
-    Indistinct direction{{}, std::max(eigen.eigenvalues()[k], 0.0), {}};
-    direction.fields = taking_part(coordinates, eigen.eigenvectors().col(k).cwiseAbs(), free);
-    if (!direction.fields.empty()) found.push_back(std::move(direction));
-  }
-  return found;
-}
-
-// Pairs of numbers whose estimates go together, each pair of fields once. Those with the same
-// `slopes` are one number by the form that is fitted, which says nothing of the data.
-void add_correlated(const std::vector<MaterialNumber>& numbers, const Eigen::MatrixXd& slopes,
-                    const Eigen::MatrixXd& covariance, std::vector<Indistinct>& to) {
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    for (std::size_t j = i + 1; j < numbers.size(); ++j) {
-      const auto a = static_cast<Eigen::Index>(i), b = static_cast<Eigen::Index>(j);
-      const double size = std::sqrt(covariance(a, a) * covariance(b, b));
-      const double correlation = size > 0 ? covariance(a, b) / size : 0;
-      const std::vector fields{numbers[i].field, numbers[j].field};
-      if (!(std::abs(correlation) > kTogether) || fields[0] == fields[1]) continue;
-      if (slopes.row(a) == slopes.row(b)) continue;
-      const bool known = std::any_of(
-          to.begin(), to.end(), [&](const Indistinct& other) { return other.fields == fields; });
-      if (!known) to.push_back({fields, std::max(1 - std::abs(correlation), 0.0), correlation});
-    }
-  }
-}
 
 // Those of the coordinates `free` by which anything changes at all: alone, with the others known,
 // each would have a standard error that is no more than kBlind times its size.
@@ -176,6 +105,23 @@ ParameterReport report_of(const MaterialNumber& number, const Says& says, double
   return report;
 }
 
+// The largest slope of a coordinate that is free, each scaled by its own curvature.
+double gradient_norm(const Equations& e, const std::vector<std::size_t>& free) {
+  double norm = 0;
+  for (const std::size_t i : free) {
+    const auto at = static_cast<Eigen::Index>(i);
+    const double size = std::sqrt(std::max(2 * e.cost * e.matrix(at, at), 1e-300));
+    norm = std::max(norm, std::abs(e.gradient[at]) / size);
+  }
+  return norm;
+}
+
+// The problem's pairs as a part of those that the minimum was found on.
+double share_of(const Problem& problem, std::size_t pairs) {
+  return std::min(1.0, static_cast<double>(problem.data().size()) /
+                           static_cast<double>(std::max<std::size_t>(pairs, 1)));
+}
+
 }  // namespace
 
 double smooth_of(const Problem& problem, std::span<const double> parameters, const Stop& stop) {
@@ -198,24 +144,18 @@ Uncertainty uncertainty_at(const Problem& problem, std::span<const double> param
   Sandwich sums = sandwich_at(problem, parameters, stop);
   sums.curvature = T.transpose() * sums.curvature * T;
   sums.scatter = T.transpose() * sums.scatter * T;
-  const Equations e = equations_at(problem, coordinates, at_end, stop);
-  for (const std::size_t i : free) {
-    const auto at = static_cast<Eigen::Index>(i);
-    const double size = std::sqrt(std::max(2 * e.cost * e.matrix(at, at), 1e-300));
-    result.gradient_norm = std::max(result.gradient_norm, std::abs(e.gradient[at]) / size);
-  }
+  result.gradient_norm = gradient_norm(equations_at(problem, coordinates, at_end, stop), free);
   const auto seen = with_curvature(sums, at_end, free);
   const Eigen::MatrixXd H = sums.curvature(seen, seen), S = sums.scatter(seen, seen);
-  if (!seen.empty()) result.indistinct = unseen(coordinates, H, seen);
+  if (!seen.empty()) result.indistinct = unseen_directions(coordinates, H, seen);
   const Eigen::MatrixXd inverted = seen.empty() ? H : inverse(H);
-  const double share = std::min(1.0, static_cast<double>(problem.data().size()) /
-                                         static_cast<double>(std::max<std::size_t>(pairs, 1)));
   const auto numbers = numbers_of(form, parameters, channels);
   const Eigen::MatrixXd all = slopes_of(form, parameters, channels, numbers) * T;
   const Eigen::MatrixXd J = all(Eigen::all, seen);
   const Eigen::MatrixXd curved = J * inverted * J.transpose();
   add_correlated(numbers, J, curved, result.indistinct);
-  const Eigen::MatrixXd variance = share * J * inverted * S * inverted * J.transpose();
+  const Eigen::MatrixXd variance =
+      share_of(problem, pairs) * J * inverted * S * inverted * J.transpose();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     result.parameters.push_back(report_of(numbers[i], says_of(all, at, free, seen),

@@ -8,7 +8,7 @@
 namespace gonio::fit {
 
 // Sets verdict and reason; all else is there already.
-void judge(const Form& form, std::span<const double> parameters, const Data& fitted,
-           Certificate& report);
+void set_verdict(const Form& form, std::span<const double> parameters, const Data& fitted,
+                 Certificate& report);
 
 }  // namespace gonio::fit

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -53,7 +54,7 @@ struct SelectRange {
 // azimuths, pi where wo is on the mirror's side.
 struct SelectBin {
   SelectRange theta_i, theta_o;
-  SelectRange phi{0, 3.14159265358979323846};
+  SelectRange phi{0, std::numbers::pi};
   double weight = 1;  // how often such pairs occur; of all bins, any unit
 };
 

@@ -1,4 +1,4 @@
-// What an assessment finds. The assessment, the wire (proto/wire/mapping/assessment.h) and the
+// The result of an assessment. The assessment, the wire (proto/wire/mapping/assessment.h) and the
 // client library use these structures. Thread safety: plain values.
 #pragma once
 
@@ -17,17 +17,17 @@ struct Worst {
   double error = 0;
   std::array<double, 3> wi{}, wo{};  // as they were given
   unsigned channel = 0;
-  double value = 0, truth = 0;  // truth: what it was compared with
+  double value = 0, truth = 0;  // truth: the value that it was compared with
 };
 
-// Values at one place by one way of evaluating.
+// The errors of one way of evaluating at one place.
 struct Findings {
   std::uint64_t nan = 0, infinite = 0, negative = 0;
-  // Above the bound's `above` where truth is below it: light where there is none.
+  // Values above the bound's `above` where truth is below it: light where there is none.
   std::uint64_t stray = 0;
-  std::uint64_t checked = 0;  // values that the relative bound speaks of
-  // Of those. Where a difference crosses 0, what four roundings of its parameters make is taken
-  // off.
+  std::uint64_t checked = 0;  // values to which the relative bound applies
+  // The worst of the checked ones. Where a difference crosses 0, the effect of four roundings of
+  // its parameters is subtracted.
   Worst worst;
 
   [[nodiscard]] std::uint64_t improper() const { return nan + infinite + negative; }
@@ -49,19 +49,18 @@ struct Incidence {
   std::vector<double> albedo;          // of each channel
   std::vector<double> sampled;         // the same as the mean weight of samples
   std::vector<double> standard_error;  // of those, as the samples show it
-  // How far they are off once rare large weights count for less, in standard errors that are wider
-  // by what such weights can do (Bernstein's inequality): z or more has a probability of
-  // 2 exp(-z^2 / 2) or less.
+  // The deviation of these means, with large weights capped, in standard errors that allow for such
+  // weights (Bernstein's inequality). A deviation of z or more has a probability of at most 2
+  // exp(-z^2 / 2).
   std::vector<double> deviation;
   double mass = 0;         // the integral of the pdf
   double lost = 0;         // the part of samples below the horizon
   double unsure = 0;       // of the quadrature, the largest of mass and albedos
-  double probability = 1;  // of samples as far from the pdf or farther, by chi-square
+  double probability = 1;  // of samples at least as far from the pdf, by chi-square
   Worst weight;            // weight pdf against f cos(theta_o), of fast samples
 };
 
-// One thing that was asked for. `value` is at most `limit` where it passed; of "distribution", at
-// least.
+// One check. It passes if `value` is at most `limit`; "distribution", if it is at least `limit`.
 struct Check {
   // "improper", "stray", "error_fast", "error_reference", "reciprocity", "energy_gain",
   // "energy_loss", "pdf_mass", "weights", "sampled_albedo", "distribution"; of a table "missing",
@@ -79,7 +78,7 @@ struct Assessment {
   std::vector<PlaceReport> places;
   std::vector<Incidence> incidences;
   int channels = 1;
-  StatedBound fast, reference;  // what the material states
+  StatedBound fast, reference;  // the bounds that the material states
   double cpu_seconds = 0;
 };
 

@@ -1,7 +1,6 @@
-// What a chart holds: tables of choices, a row each, with what they cost and how far they are off,
-// and the machine on which they were measured. The chart, the wire
-// (proto/wire/mapping/chart_table.h) and the client library use these structures. Thread safety:
-// plain values.
+// The contents of a chart: tables of choices, a row each, with their cost and their error, and the
+// machine on which they were measured. The chart, the wire (proto/wire/mapping/chart_table.h) and
+// the client library use these structures. Thread safety: plain values.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +15,13 @@ namespace gonio::chart {
 
 struct Progress {
   std::string stage;  // "queued", or the part that is being measured
-  double done = 0;    // of all parts, 0 to 1
+  double done = 0;    // the share of all parts that is done, 0 to 1
 };
 
 struct Machine {
-  std::string processor;                      // its name, as Linux has it
-  unsigned cores = 0;                         // that this process may run on
-  std::vector<std::string> instruction_sets;  // that gonio has kernels for and it runs
+  std::string processor;                      // its name in /proc/cpuinfo
+  unsigned cores = 0;                         // cores that this process may run on
+  std::vector<std::string> instruction_sets;  // those with kernels that it runs
   std::string gonio;                          // version
   std::string compiler;                       // "GCC 12.2.0"
   std::string system;                         // "Linux 6.1.0"
@@ -38,7 +37,7 @@ struct Column {
 using Cell = std::variant<std::string, double>;
 using Row = std::vector<Cell>;
 
-// A row is a choice. 1 in the column "front" marks what no other one beats.
+// A row is a choice. 1 in the column "front" marks choices that no other one beats.
 struct Table {
   std::string name;   // "models"; of small letters, digits and '_'
   std::string title;  // one line: what is measured

@@ -1,4 +1,4 @@
-// What a fit reports beside its material: how it came about, and how far it can be trusted. The
+// The report of a fit beside its material: how it was found, and how far it can be trusted. The
 // fit, the wire (proto/wire/mapping/certificate.h) and the client library use these structures.
 // Thread safety: plain values.
 #pragma once
@@ -17,15 +17,15 @@ namespace gonio::fit {
 struct Progress {
   std::string stage;  // "queued", "data", "scan", "starts", "fit", "polish", "certificate"
   int iteration = 0;
-  double objective = 0;  // at present, as a part of that of f = 0
-  double best = 0;       // in this stage so far
+  double objective = 0;  // the current one, relative to that of f = 0
+  double best = 0;       // the best in this stage so far
 };
 
 enum class Verdict : std::uint8_t {
   unknown,        // of a newer server; a fit never gives it
   converged,      // one optimum, inside the bounds, and the data determine it
   bound_limited,  // a bound of a parameter holds the optimum
-  ambiguous,      // other parameters fit as well: the data cannot tell
+  ambiguous,      // other parameters fit as well: the data do not decide
   failed,         // nothing to fit, the model lacks a lobe that the data show, or no descent ended
 };
 inline constexpr std::array<std::string_view, 5> kVerdictNames{
@@ -35,7 +35,7 @@ constexpr std::string_view name_of(Verdict verdict) {
   return kVerdictNames.at(static_cast<std::size_t>(verdict));
 }
 
-// Entries that say nothing, counted by the first reason that holds.
+// Unusable entries, counted by the first reason that applies.
 struct LeftOut {
   std::uint64_t not_finite = 0;     // a direction, a value or a weight that is NaN or infinite
   std::uint64_t not_unit = 0;       // a direction off unit length by more than 1e-3
@@ -49,7 +49,7 @@ struct LeftOut {
 
 struct Stage {
   std::string name;
-  double objective = 0;  // on this stage's pairs, as a part of that of f = 0
+  double objective = 0;  // on this stage's pairs, relative to that of f = 0
   std::uint64_t pairs = 0;
   int iterations = 0;
   double cpu_seconds = 0;
@@ -65,18 +65,18 @@ struct Start {
 
 struct ParameterReport {
   std::string field;  // "specular[0].parameters.eta"
-  int channel = -1;   // -1: shared by all
+  int channel = -1;   // -1: shared by all channels
   double value = 0, standard_error = 0;
   bool at_bound = false;        // of the model's table; it has no standard error then
   double lower = 0, upper = 0;  // 95 % interval; for a logarithmic parameter symmetric in its log
-  // The data say nothing of it: no standard error, and the interval is its whole range.
+  // The data do not determine it: no standard error, and the interval is the whole range.
   bool undetermined = false;
 };
 
-// Parameters that can move together and the data hardly mind: by an eigenvector of the curvature
-// (scaled to a unit diagonal) with next to no curvature, or two of a material's numbers whose
-// estimates go together: their own matrix has the eigenvalue 1 - |correlation|. Numbers that the
-// fit holds equal, alpha_x and alpha_y of an isotropic material, are none of these.
+// Parameters that can change together with little effect on the objective: an eigenvector of the
+// curvature (scaled to a unit diagonal) with almost no curvature, or two numbers of a material with
+// correlated estimates, whose own matrix has the eigenvalue 1 - |correlation|. Numbers that the fit
+// holds equal, alpha_x and alpha_y of an isotropic material, do not count.
 struct Indistinct {
   std::vector<std::string> fields;
   double eigenvalue = 0;
@@ -87,8 +87,8 @@ struct Indistinct {
 struct Profile {
   std::string field;
   double lower = 0, upper = 0;
-  double part = 0;        // of the range that is searched
-  bool separate = false;  // there are worse values in between
+  double part = 0;        // share of the range that is searched
+  bool separate = false;  // values in between are worse
 };
 
 // With w a pair's weight and cos that of incidence, sums over pairs and channels, m measured:
@@ -100,38 +100,38 @@ struct Errors {
   std::uint64_t pairs = 0;
 };
 
-// By the larger of both angles, in degrees.
+// Errors by the larger of both angles, in degrees.
 struct ErrorsByZone {
   Errors all, below_80, above_80;
 };
 
-// A pair at which the material is far off: its share of the sum of w |f - m| cos.
+// A pair with a large error: its share of the sum of w |f - m| cos.
 struct Place {
   std::array<double, 3> wi{}, wo{};
   int channel = 0;
   double measured = 0, fitted = 0, share = 0;
 };
 
-// What is reflected in a region of directions, as parts of all that is measured (w m cos).
+// Reflection in a region of directions, relative to all that is measured (w m cos).
 struct Region {
   double measured = 0, fitted = 0, error = 0;  // error: w |f - m| cos
 };
 
-// By where wo is: about the mirror direction of wi (25 degrees), else about wi itself, else
-// anywhere.
+// By the place of wo: within 25 degrees of the mirror direction of wi; of the others, within 25
+// degrees of wi; the rest.
 struct Regions {
   Region mirror, toward_light, elsewhere;
 };
 
 struct Albedo {
-  double theta = 0;  // radians, of incidence
+  double theta = 0;  // the angle of incidence, radians
   std::vector<double> channels;
 };
 
 struct Certificate {
   Verdict verdict = Verdict::failed;
   std::string reason;
-  std::optional<Objective> objective;  // that was minimised; none: one of a newer server
+  std::optional<Objective> objective;  // the one minimised; none: one of a newer server
   std::uint64_t pairs = 0;             // of the data, without those left out
   LeftOut left_out;
   std::vector<std::string> shapes;  // fields of the shared parameters
@@ -143,7 +143,7 @@ struct Certificate {
   std::vector<std::string> active_bounds;
   std::vector<Indistinct> indistinct;
   std::vector<Profile> profiles;
-  ErrorsByZone errors;  // on all data, whatever was fitted
+  ErrorsByZone errors;  // over all data, whichever pairs were fitted
   std::vector<Place> worst;
   Regions regions;
   std::vector<Albedo> albedo;

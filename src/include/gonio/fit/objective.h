@@ -1,4 +1,4 @@
-// What a fit can minimise, by name.
+// The objectives that a fit can minimise, by name.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@ namespace gonio::fit {
 // With cos the cosine of incidence and m what was measured, the weighted sum of:
 enum class Objective : std::uint8_t {
   l1,     // |f - m| cos
-  l2,     // its square
-  huber,  // Huber's function of it
+  l2,     // the square of that difference
+  huber,  // Huber's function of that difference
   log,    // |log(1 + f cos) - log(1 + m cos)|
   cbrt,   // the squared difference of the cube roots of f cos and m cos
 };
