@@ -6,7 +6,10 @@
 #include <google/protobuf/util/message_differencer.h>
 #include <gtest/gtest.h>
 
-#include <set>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
 
 #include "random_message.h"
 #include "wire/mapping/assessment.h"
@@ -69,6 +72,58 @@ TYPED_TEST(Mapped, EmptyMessageIsReadAsDefaults) {
   const auto second = from_message<TypeParam>(again);
   ASSERT_TRUE(second) << second.error().message;
   EXPECT_EQ(to_message(*second).SerializeAsString(), again.SerializeAsString());
+}
+
+// "... = &gonio::fit::Profile::lower]"
+template <auto Member>
+const char* pointer_text() {
+  return __PRETTY_FUNCTION__;
+}
+
+// "lower"
+template <auto Member>
+std::string member_name() {
+  const std::string text = pointer_text<Member>();
+  const std::size_t begin = text.rfind("::") + 2;
+  const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789", begin);
+  return text.substr(begin, end - begin);
+}
+
+template <class Structure, std::size_t... Index>
+void expect_own_names(std::index_sequence<Index...> /*fields*/) {
+  using Map = Mapping<Structure>;
+  const auto expect_own_name = [](const std::string& member, int number) {
+    const auto* field = Map::Message::descriptor()->FindFieldByNumber(number);
+    const std::map<std::string, std::string> other_names{
+        {"gonio.v1.AssessPlace.naive_float32", "naive32"},
+        {"gonio.v1.AssessPlace.naive_float64", "naive64"},
+        {"gonio.v1.SelectProgress.candidates", "of"}};
+    const auto other = other_names.find(field->full_name());
+    EXPECT_EQ(member, other == other_names.end() ? field->name() : other->second)
+        << field->full_name();
+  };
+  (expect_own_name(member_name<std::get<Index>(Map::kFields).member>(),
+                   std::get<Index>(Map::kFields).number),
+   ...);
+}
+
+template <class... Structures>
+void expect_own_names_in() {
+  (expect_own_names<Structures>(
+       std::make_index_sequence<std::tuple_size_v<decltype(Mapping<Structures>::kFields)>>()),
+   ...);
+}
+
+// Two members that are exchanged in both directions would go unseen otherwise.
+TEST(Mapping, MembersAreCalledAsTheirFields) {
+  expect_own_names_in<fit::Certificate, fit::Progress, fit::LeftOut, fit::Stage, fit::Start,
+                      fit::ParameterReport, fit::Indistinct, fit::Profile, fit::Errors,
+                      fit::ErrorsByZone, fit::Place, fit::Region, fit::Regions, fit::Albedo>();
+  expect_own_names_in<select::SelectionOf<v1::Material>, select::EntryOf<v1::Material>,
+                      select::ChoiceOf<v1::Material>, select::Bounded, select::Progress>();
+  expect_own_names_in<assess::Assessment, assess::Check, assess::PlaceReport, assess::Findings,
+                      assess::Worst, assess::Incidence, StatedBound>();
+  expect_own_names_in<chart::Chart, chart::Table, chart::Column, chart::Machine, chart::Progress>();
 }
 
 struct Three {
