@@ -65,6 +65,13 @@ class Includes(unittest.TestCase):
         self.assert_reported({"src/fit/a.h": '#include "fit/b.h"\n', "src/fit/b.h": '#include "fit/a.h"\n'},
                              "a circle of includes: ", "src/fit/a.h", " -> ", "src/fit/b.h")
 
+    def test_reports_folders_that_include_each_other(self):
+        self.assert_reported({"src/fit/up/a.h": '#include "fit/down/b.h"\n', "src/fit/down/b.h": "",
+                              "src/fit/up/c.h": "", "src/fit/down/d.h": '#include "fit/up/c.h"\n'},
+                             "src/fit/down/ and src/fit/up/ include each other")
+        output, status = check({"src/fit/up/a.h": '#include "fit/fit.h"\n', "src/fit/b.cpp": '#include "fit/up/a.h"\n'})
+        self.assertEqual(status, 0, output)
+
     def test_reports_what_it_does_not_know(self):
         self.assert_reported({"src/tables/a.h": ""}, "src/tables/a.h: its folder has no row")
         self.assert_reported({"src/fit/a.h": '#include "fit/lost.h"\n'}, "src/fit/a.h:1: fit/lost.h: no file")
