@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/near_names.h"
+#include "base/text/join.h"
 #include "gonio/v1/material.pb.h"
 
 namespace gonio::wire {
@@ -25,14 +26,10 @@ const pb::FieldDescriptor* field_of(const pb::Descriptor& message, const std::st
 
 Error unknown_key(const pb::Descriptor& message, const std::string& at, const std::string& key) {
   std::vector<std::string> known;
-  std::string all;
-  for (int i = 0; i < message.field_count(); ++i) {
-    known.push_back(message.field(i)->name());
-    all += (all.empty() ? "" : ", ") + known.back();
-  }
+  for (int i = 0; i < message.field_count(); ++i) known.push_back(message.field(i)->name());
   std::string hint = did_you_mean(key, std::span<const std::string>(known));
   if (hint.empty()) hint = R"(; what a model takes stands within "parameters")";
-  return bad_value(at + key, "not a field", all + hint);
+  return bad_value(at + key, "not a field", joined(known) + hint);
 }
 
 Outcome check(const pb::Struct& object, const pb::Descriptor& message, const std::string& at);

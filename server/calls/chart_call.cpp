@@ -1,7 +1,9 @@
-#include "server/calls/chart_call.h"
-
+// One Chart call: the measurements, with their progress. Thread safety: see progress_call.h.
 #include <utility>
 
+#include "server/calls/progress_call.h"
+#include "server/calls/start_calls.h"
+#include "server/messages/chart_request.h"
 #include "wire/mapping/chart_table.h"
 #include "wire/message.h"
 
@@ -14,7 +16,16 @@ grpc::ByteBuffer to_event(const chart::Progress& progress) {
   return wire::to_buffer(response);
 }
 
-}  // namespace
+class ChartCall final : public ProgressCall {
+ public:
+  ChartCall(const Backend& backend, grpc::CallbackServerContext& context);
+
+ private:
+  Result<std::size_t> prepare(const grpc::ByteBuffer& request) override;
+  Result<grpc::ByteBuffer> work() override;
+
+  ChartTask task_;
+};
 
 ChartCall::ChartCall(const Backend& backend, grpc::CallbackServerContext& context)
     : ProgressCall(backend, context, "Chart", "the chart") {
@@ -42,6 +53,13 @@ Result<grpc::ByteBuffer> ChartCall::work() {
   v1::ChartResponse response;
   *response.mutable_result() = to_wire(std::move(*tables), chart::this_machine());
   return wire::to_buffer(response);
+}
+
+}  // namespace
+
+ProgressReactor* start_chart(const Backend& backend, grpc::CallbackServerContext& context,
+                             const grpc::ByteBuffer& request) {
+  return ProgressCall::start<ChartCall>(backend, context, request);
 }
 
 }  // namespace gonio::server

@@ -1,8 +1,10 @@
-#include "server/calls/fit_call.h"
-
+// One Fit call: the fit, with its progress. Thread safety: see progress_call.h.
 #include <utility>
 
+#include "server/calls/progress_call.h"
+#include "server/calls/start_calls.h"
 #include "server/messages/fit_messages.h"
+#include "server/messages/fit_request.h"
 #include "wire/mapping/certificate.h"
 #include "wire/message.h"
 
@@ -29,7 +31,17 @@ grpc::ByteBuffer to_event(const fit::Progress& progress) {
   return wire::to_buffer(response);
 }
 
-}  // namespace
+class FitCall final : public ProgressCall {
+ public:
+  FitCall(const Backend& backend, grpc::CallbackServerContext& context);
+
+ private:
+  Result<std::size_t> prepare(const grpc::ByteBuffer& request) override;
+  Result<grpc::ByteBuffer> work() override;
+
+  v1::FitRequest request_;  // empty once the data are taken from it
+  FitTask task_;
+};
 
 FitCall::FitCall(const Backend& backend, grpc::CallbackServerContext& context)
     : ProgressCall(backend, context, "Fit", "the fit") {
@@ -61,6 +73,13 @@ Result<grpc::ByteBuffer> FitCall::work() {
   v1::FitResponse response;
   *response.mutable_result() = to_wire(*result);
   return wire::to_buffer(response);
+}
+
+}  // namespace
+
+ProgressReactor* start_fit(const Backend& backend, grpc::CallbackServerContext& context,
+                           const grpc::ByteBuffer& request) {
+  return ProgressCall::start<FitCall>(backend, context, request);
 }
 
 }  // namespace gonio::server

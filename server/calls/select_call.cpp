@@ -1,8 +1,10 @@
-#include "server/calls/select_call.h"
-
+// One Select call: the selection, with its progress. Thread safety: see progress_call.h.
 #include <utility>
 
+#include "server/calls/progress_call.h"
+#include "server/calls/start_calls.h"
 #include "server/messages/select_messages.h"
+#include "server/messages/select_request.h"
 #include "wire/mapping/selection.h"
 #include "wire/message.h"
 
@@ -15,7 +17,17 @@ grpc::ByteBuffer to_event(const select::Progress& progress) {
   return wire::to_buffer(response);
 }
 
-}  // namespace
+class SelectCall final : public ProgressCall {
+ public:
+  SelectCall(const Backend& backend, grpc::CallbackServerContext& context);
+
+ private:
+  Result<std::size_t> prepare(const grpc::ByteBuffer& request) override;
+  Result<grpc::ByteBuffer> work() override;
+  Result<select::Selection> choose();
+
+  SelectTask task_;
+};
 
 SelectCall::SelectCall(const Backend& backend, grpc::CallbackServerContext& context)
     : ProgressCall(backend, context, "Select", "the selection") {
@@ -51,6 +63,13 @@ Result<grpc::ByteBuffer> SelectCall::work() {
   v1::SelectResponse response;
   *response.mutable_result() = to_wire(*selection);
   return wire::to_buffer(response);
+}
+
+}  // namespace
+
+ProgressReactor* start_select(const Backend& backend, grpc::CallbackServerContext& context,
+                              const grpc::ByteBuffer& request) {
+  return ProgressCall::start<SelectCall>(backend, context, request);
 }
 
 }  // namespace gonio::server

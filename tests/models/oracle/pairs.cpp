@@ -4,11 +4,10 @@
 #include <numbers>
 #include <random>
 
-#include "numeric/direction.h"
-
 namespace gonio::testing {
 namespace {
 
+using Direction = std::array<double, 3>;
 constexpr double kPi = std::numbers::pi;
 
 template <class T>
@@ -42,6 +41,9 @@ class Generator {
     return std::exp(uniform(std::log(low), std::log(high)));
   }
 
+  static Direction spherical(double theta, double phi) {
+    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+  }
   Direction hemisphere() { return spherical(std::acos(uniform(0, 1)), uniform(0, 2 * kPi)); }
   Direction grazing() {
     const double elevation = logarithmic(0.01, 10) * kPi / 180;
