@@ -11,9 +11,9 @@
 //
 //   - who is on the front: a candidate whose error is less than that of the front's last entry by
 //     more than chance, and by more than a hundredth of the tolerance. The difference of the two
-//     errors over the same pairs must be below 0 with 99 % confidence, by a jackknife over blocks of
-//     pairs. A parameter, a lobe or an anisotropy that adds nothing therefore leaves its candidate
-//     behind the simpler one.
+//     errors over the same pairs must be below 0 with 99 % confidence, by a jackknife over blocks
+//     of pairs. A parameter, a lobe or an anisotropy that adds nothing therefore leaves its
+//     candidate behind the simpler one.
 //   - who is worth trying: a candidate whose error has an upper bound (95 %) below the tolerance.
 //
 // The first of the latter is rounded to the fewest digits that add at most a hundredth of the
