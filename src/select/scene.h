@@ -1,5 +1,5 @@
-// What a scene asks of a material: the pairs of directions that it looks at, how far off a value
-// may be, and what counts as cost.
+// The requirements of a scene: the pairs of directions that occur, the tolerance, and what counts
+// as cost.
 //
 // Thread safety: plain data.
 #pragma once
@@ -13,17 +13,17 @@
 
 namespace gonio::select {
 
-// The error that the tolerance is of, with cos that of incidence; fit/report/metrics.h has the
+// The error that the tolerance limits. cos is that of incidence; fit/report/metrics.h has the
 // formulas.
 enum class Metric : std::uint8_t {
-  l1,    // |f - m| cos, as a part of m cos
+  l1,    // |f - m| cos, relative to m cos
   rmse,  // of f cos, in 1/sr
   log,   // of log(1 + f cos)
   cbrt,  // of the cube root of f cos
   // CIEDE2000, the mean over the picture of a sphere; of one channel or three. See picture.h.
   delta_e,
 };
-fit::Objective objective_of(Metric metric);  // what a fit minimises for it
+fit::Objective objective_of(Metric metric);  // the objective that a fit minimises for it
 
 enum class CostKind : std::uint8_t {
   ns,           // time of an evaluation
@@ -32,7 +32,7 @@ enum class CostKind : std::uint8_t {
 };
 
 enum class Lights : std::uint8_t {
-  directional,  // theta_i are the angles at which they stand
+  directional,  // theta_i are the angles of the lights
   environment,  // light from everywhere: theta_i goes from 0 to the horizon
 };
 
@@ -40,13 +40,13 @@ struct Range {
   double lower = 0, upper = 0;  // radians
 };
 
-// Pairs of directions, even per solid angle within the ranges. phi is the angle between the
-// azimuths, 0 to pi: pi where wo is on the mirror's side. How a pair as a whole is turned about the
-// normal is even, too.
+// Pairs of directions, uniform in solid angle within the ranges. phi is the angle between the
+// azimuths, 0 to pi: pi where wo is on the mirror's side. The rotation of a pair about the normal
+// is uniform, too.
 struct Bin {
   Range theta_i, theta_o;
   Range phi{0, std::numbers::pi};
-  double weight = 1;  // how often such pairs occur; of all bins, any unit
+  double weight = 1;  // how often such pairs occur, in any unit
 };
 
 inline constexpr std::size_t kMostBins = 50'000;  // 36 x 36 x 36 and some
@@ -54,14 +54,14 @@ inline constexpr std::size_t kMostBins = 50'000;  // 36 x 36 x 36 and some
 struct Scene {
   std::vector<Bin> bins;  // one for plain ranges, many for a histogram that a renderer logged
   Lights lights = Lights::directional;
-  bool anisotropy = true;  // does it matter? Otherwise only isotropic candidates are tried
+  bool anisotropy = true;  // whether it matters; if not, only isotropic candidates are tried
   Metric metric = Metric::l1;
-  double tolerance = 0;      // of the metric
-  double confidence = 0.95;  // that the error is below it
+  double tolerance = 0;      // by the metric
+  double confidence = 0.95;  // the probability that the error is below it
   CostKind cost = CostKind::ns;
 };
 
-// Is it a scene? Errors name the field: "scene.theta_i", or "scene.bins[3].theta_i" of several;
+// Checks a scene. Errors name the field: "scene.theta_i", or "scene.bins[3].theta_i" of several;
 // angles are printed in degrees.
 Outcome check(const Scene& scene);
 

@@ -1,29 +1,29 @@
-// Chooses the cheapest material that is good enough for what a scene looks at, and says why.
+// Chooses the cheapest material that is good enough for a scene, and says why.
 //
 //   select::Scene scene;
 //   scene.bins = {{.theta_i = {0, 1.3}, .theta_o = {0, 1.3}}};
 //   scene.tolerance = 0.05;
 //   auto result = select::choose(data, scene, {});   // result->choice->material
 //
-// How: the reference becomes three disjoint sets of pairs, drawn from or weighed by the scene's
-// distribution (reference.h). Each candidate (candidates.h) is fitted to the first. From the
+// The reference becomes three disjoint sets of pairs, drawn from the scene's distribution or
+// weighted by it (reference.h). Each candidate (candidates.h) is fitted to the first. From the
 // cheapest up, and of equal costs from the fewest parameters up, the second set decides
 //
-//   - who is on the front: who errs less than the front's last by more than chance, and by more
-//   than
-//     a hundredth of the tolerance. The difference of two errors over the same pairs, with the
-//     standard error of a jackknife over blocks of pairs, must be below 0 with 99 % confidence; a
-//     parameter, a lobe or an anisotropy that adds nothing leaves its candidate behind the simpler
-//     one.
-//   - who is worth trying: whose error's upper bound (95 %) is below the tolerance.
+//   - who is on the front: a candidate whose error is less than that of the front's last entry by
+//     more than chance, and by more than a hundredth of the tolerance. The difference of the two
+//     errors over the same pairs must be below 0 with 99 % confidence, by a jackknife over blocks
+//     of pairs. A parameter, a lobe or an anisotropy that adds nothing therefore leaves its
+//     candidate behind the simpler one.
+//   - who is worth trying: a candidate whose error has an upper bound (95 %) below the tolerance.
 //
-// The first of these is rounded to as few digits as cost no more than a hundredth of the tolerance,
-// and certified on the third set: it is chosen if the upper bound of its error is below the
-// tolerance. The n-th candidate that is tried gets the 2^-n-th part of 1 - confidence, so that with
-// all of them together a choice misses the tolerance no more often than that.
+// The first of the latter is rounded to the fewest digits that add at most a hundredth of the
+// tolerance to its error, and certified on the third set: it is chosen if the upper bound of its
+// error is below the tolerance. The n-th candidate that is tried gets the 2^-n-th part of 1 -
+// confidence, so that a choice misses the tolerance with a probability of at most 1 - confidence in
+// total.
 //
-// Errors are against the reference as it is, its noise included. The same input and seed give the
-// same choice, but for costs that are measured. Thread safety: runs on the thread that calls it.
+// Errors are relative to the reference with its noise. The same input and seed give the same
+// choice, except where costs are measured. Thread safety: runs on the thread that calls it.
 #pragma once
 
 #include <functional>

@@ -2,12 +2,13 @@
 """Each rule of includes.py reports an include that breaks it, and nothing else."""
 
 import pathlib
-import subprocess
 import sys
-import tempfile
 import unittest
 
-SCRIPT = pathlib.Path(__file__).with_name("includes.py")
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import small_tree  # noqa: E402
+
 # A small tree that keeps to the rules.
 GOOD = {
     "src/include/gonio/base/result.h": "#pragma once\n#include <string>\n",
@@ -26,14 +27,8 @@ GOOD = {
 
 
 def check(changes):
-    """The output and exit status of the script for the small tree with these files in addition or instead."""
-    with tempfile.TemporaryDirectory() as folder:
-        for name, text in {**GOOD, **changes}.items():
-            file = pathlib.Path(folder, name)
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_text(text)
-        run = subprocess.run([sys.executable, SCRIPT, folder], capture_output=True, text=True)
-        return run.stdout + run.stderr, run.returncode
+    """The output and exit status of includes.py for the small tree with these files in addition or instead."""
+    return small_tree.check("includes.py", {**GOOD, **changes})
 
 
 class Includes(unittest.TestCase):
@@ -70,13 +65,20 @@ class Includes(unittest.TestCase):
         self.assert_reported({"src/fit/a.h": '#include "fit/b.h"\n', "src/fit/b.h": '#include "fit/a.h"\n'},
                              "a circle of includes: ", "src/fit/a.h", " -> ", "src/fit/b.h")
 
+    def test_reports_folders_that_include_each_other(self):
+        self.assert_reported({"src/fit/up/a.h": '#include "fit/down/b.h"\n', "src/fit/down/b.h": "",
+                              "src/fit/up/c.h": "", "src/fit/down/d.h": '#include "fit/up/c.h"\n'},
+                             "src/fit/down/ and src/fit/up/ include each other")
+        output, status = check({"src/fit/up/a.h": '#include "fit/fit.h"\n', "src/fit/b.cpp": '#include "fit/up/a.h"\n'})
+        self.assertEqual(status, 0, output)
+
     def test_reports_what_it_does_not_know(self):
         self.assert_reported({"src/tables/a.h": ""}, "src/tables/a.h: its folder has no row")
         self.assert_reported({"src/fit/a.h": '#include "fit/lost.h"\n'}, "src/fit/a.h:1: fit/lost.h: no file")
 
     def test_fails_where_there_is_nothing(self):
-        with tempfile.TemporaryDirectory() as folder:
-            self.assertEqual(subprocess.run([sys.executable, SCRIPT, folder], stdout=subprocess.DEVNULL).returncode, 1)
+        self.assertEqual(small_tree.check("includes.py", {})[1], 1)
+
 
 
 if __name__ == "__main__":

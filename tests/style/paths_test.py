@@ -2,12 +2,13 @@
 """paths.py reports names of files that are not there, and nothing else."""
 
 import pathlib
-import subprocess
 import sys
-import tempfile
 import unittest
 
-SCRIPT = pathlib.Path(__file__).with_name("paths.py")
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import small_tree  # noqa: E402
+
 FILES = {
     "README.md": "# Top\n[the map](src/README.md#how-it-runs) [site](https://example.org/x)\n",
     "src/README.md": "# Map\n## How it runs\n`engine/truth.h`, `src/engine/`, `src/*/truth.{h,cpp}`, `truth.h`, `src/engine/NAME.h`\n",
@@ -20,13 +21,8 @@ FILES = {
 
 
 def check(changes):
-    with tempfile.TemporaryDirectory() as folder:
-        for name, text in {**FILES, **changes}.items():
-            file = pathlib.Path(folder, name)
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_text(text)
-        run = subprocess.run([sys.executable, SCRIPT, folder], capture_output=True, text=True)
-        return run.stdout + run.stderr, run.returncode
+    """The output and exit status of paths.py for the small tree with these files in addition or instead."""
+    return small_tree.check("paths.py", {**FILES, **changes})
 
 
 class Paths(unittest.TestCase):
