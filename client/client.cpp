@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "client/calls/state.h"
 #include "client/messages/convert.h"
 #include "client/messages/message_json.h"
 #include "client/rpc/retry.h"
 #include "client/rpc/rpc.h"
-#include "client/rpc/state.h"
 #include "gonio/base/shown.h"
 #include "gonio/v1/models.pb.h"
 #include "wire/address.h"

@@ -11,7 +11,7 @@
 #include <memory>
 #include <utility>
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 class Socket {
@@ -123,4 +123,4 @@ SocketFile::~SocketFile() {
   if (status.st_dev == device_ && status.st_ino == inode_) unlink(path_.c_str());
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

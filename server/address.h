@@ -12,7 +12,7 @@
 #include "gonio/base/result.h"
 #include "wire/address.h"
 
-namespace gonio {
+namespace gonio::server {
 
 using Address = wire::Address;
 
@@ -51,4 +51,4 @@ class SocketFile {
   ino_t inode_ = 0;  // 0: nothing to remove
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -4,7 +4,7 @@
 #include <grpcpp/server_builder.h>
 #include <malloc.h>
 
-namespace gonio {
+namespace gonio::server {
 
 void configure(grpc::ServerBuilder& builder, const ServerOptions& options) {
   using Option = grpc::ServerBuilder::SyncServerOption;
@@ -33,4 +33,4 @@ void keep_freed_memory() {
   mallopt(M_TRIM_THRESHOLD, 64 << 20);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -7,7 +7,7 @@ namespace grpc {
 class ServerBuilder;
 }
 
-namespace gonio {
+namespace gonio::server {
 
 // Message sizes, memory quota, threads. Thread safety: a function without state.
 void configure(grpc::ServerBuilder& builder, const ServerOptions& options);
@@ -17,4 +17,4 @@ void configure(grpc::ServerBuilder& builder, const ServerOptions& options);
 // setting of the whole process, for a program that is a server; call it before there are threads.
 void keep_freed_memory();
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -9,7 +9,7 @@
 
 #include "gonio/base/shown.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 spdlog::logger* captured = nullptr;  // the libraries' hooks are plain functions
@@ -106,4 +106,4 @@ void capture_library_logs(spdlog::logger& logger) {
   google::protobuf::SetLogHandler(&take_protobuf_log);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-namespace gonio {
+namespace gonio::server {
 
 enum class LogFormat { text, json };
 
@@ -34,4 +34,4 @@ std::shared_ptr<spdlog::logger> make_logger(const std::string& level, LogFormat 
 // until the end of the program.
 void capture_library_logs(spdlog::logger& logger);
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -21,16 +21,19 @@ namespace spdlog {
 class logger;
 }
 
-namespace gonio {
+namespace gonio::server {
 
 struct ServerOptions {
+  // The most compute threads, and the most threads for fits.
+  static constexpr int kMostThreads = 1024;
+
   // Each "host:port" (port 0 takes a free one), "[::1]:port" or "unix:PATH". Empty: reached
   // in-process only.
   std::vector<std::string> addresses = {};
   // Of the UNIX sockets, from their first moment on, whatever the process's umask; none: what that
   // leaves.
   std::optional<unsigned> socket_mode = {};
-  // Compute threads; 0 means one per processor.
+  // Compute threads, up to kMostThreads; 0 means one per processor.
   int threads = 0;
   // Batches queued or being computed at a time; one more is refused with RESOURCE_EXHAUSTED.
   std::size_t max_queued_jobs = 256;
@@ -103,4 +106,4 @@ class Server {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -7,7 +7,7 @@
 #include "gonio/v1/service.grpc.pb.h"
 #include "server/calls/call.h"
 
-namespace gonio {
+namespace gonio::server {
 
 using WireService = v1::GonioService;
 // Those that do not take messages.
@@ -62,4 +62,4 @@ class Service final : public RawService {
   Backend backend_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -1,27 +1,27 @@
 #include <string>
 #include <utility>
 
-#include "client/calls/evaluation.h"
-#include "client/rpc/chunks.h"
-#include "client/rpc/state.h"
+#include "client/calls/batch_call.h"
+#include "client/calls/state.h"
+#include "client/transfer/pair_transfer.h"
 #include "gonio/client/client.h"
 
 namespace gonio::client {
 namespace {
 
 template <class Out>
-Result<Report> evaluate_into(Evaluation& evaluation, ChunkSource& source, std::uint64_t pairs,
+Result<Report> evaluate_into(BatchCall& batch_call, ChunkSource& source, std::uint64_t pairs,
                              std::span<Out> values, std::span<Out> pdf,
                              std::span<std::uint8_t> flags) {
   auto fit = check_result_lengths("pairs", pairs, "values", values.size(), flags.size());
   if (!fit) return fit.error();
-  if (pairs == 0) return evaluation.probe_for_nothing();
+  if (pairs == 0) return batch_call.probe_for_nothing();
   ArrayReceiver<Out> receiver(values, pdf, flags, pairs);
-  return evaluation.run(source, receiver, values.size() / pairs, pairs);
+  return batch_call.run(source, receiver, values.size() / pairs, pairs);
 }
 
 template <class In, class Out>
-Result<Report> evaluate_pairs(Evaluation evaluation, std::span<const In> wi, std::span<const In> wo,
+Result<Report> evaluate_pairs(BatchCall batch_call, std::span<const In> wi, std::span<const In> wo,
                               std::span<Out> values, std::span<Out> pdf,
                               std::span<std::uint8_t> flags) {
   if (wi.size() % 3 != 0) {
@@ -32,38 +32,38 @@ Result<Report> evaluate_pairs(Evaluation evaluation, std::span<const In> wi, std
                      "that of wi, " + std::to_string(wi.size()));
   }
   Loan loan;  // outlives all that is made of it
-  ArraySource<In> source(wi, wo, evaluation.has_deadline() ? nullptr : &loan);
-  return evaluate_into(evaluation, source, wi.size() / 3, values, pdf, flags);
+  ArraySource<In> source(wi, wo, batch_call.has_deadline() ? nullptr : &loan);
+  return evaluate_into(batch_call, source, wi.size() / 3, values, pdf, flags);
 }
 
 template <class Out>
-Result<Report> evaluate_grid(Evaluation evaluation, const Grid& grid, std::span<Out> values,
+Result<Report> evaluate_grid(BatchCall batch_call, const Grid& grid, std::span<Out> values,
                              std::span<std::uint8_t> flags) {
   if (auto checked = check(grid); !checked) return checked.error();
   GridSource source(grid);
-  return evaluate_into(evaluation, source, *grid.size(), values, {}, flags);
+  return evaluate_into(batch_call, source, *grid.size(), values, {}, flags);
 }
 
 template <class In, class Out>
-Result<Report> evaluate_to_sink(Evaluation& evaluation, ChunkSource& source,
+Result<Report> evaluate_to_sink(BatchCall& batch_call, ChunkSource& source,
                                 const ChunkSink<In, Out>& sink,
                                 std::optional<std::uint64_t> total) {
-  auto probed = evaluation.probe();
+  auto probed = batch_call.probe();
   if (!probed) return probed;
   SinkReceiver<In, Out> receiver(sink);
-  auto report = evaluation.run(source, receiver, static_cast<std::size_t>(probed->channels), total);
+  auto report = batch_call.run(source, receiver, static_cast<std::size_t>(probed->channels), total);
   if (!report || report->pairs != 0) return report;
   return about_nothing(*probed);
 }
 
 template <class T>
-Result<Report> evaluate_both(Evaluation evaluation, std::span<const T> wi, std::span<const T> wo,
+Result<Report> evaluate_both(BatchCall batch_call, std::span<const T> wi, std::span<const T> wo,
                              std::span<T> values, std::span<T> pdf, std::span<std::uint8_t> flags) {
   if (pdf.size() != wi.size() / 3) {
     return bad_value("the length of pdf", std::to_string(pdf.size()),
                      "one for each of the " + std::to_string(wi.size() / 3) + " pairs");
   }
-  return evaluate_pairs(std::move(evaluation), wi, wo, values, pdf, flags);
+  return evaluate_pairs(std::move(batch_call), wi, wo, values, pdf, flags);
 }
 
 EvaluateOptions with_pdf(EvaluateOptions options) {
@@ -74,7 +74,7 @@ EvaluateOptions with_pdf(EvaluateOptions options) {
 }  // namespace
 
 Result<int> Client::channels(const Material& material) const {
-  auto report = state_->evaluation(material, Precision::fast, {}).probe();
+  auto report = state_->batch_call(material, Precision::fast, {}).probe();
   if (!report) return report.error();
   return report->channels;
 }
@@ -83,7 +83,7 @@ Result<Report> Client::evaluate(const Material& material, std::span<const float>
                                 std::span<const float> wo, std::span<float> values,
                                 std::span<std::uint8_t> flags,
                                 const EvaluateOptions& options) const {
-  return evaluate_pairs(state_->evaluation(material, Precision::fast, options), wi, wo, values, {},
+  return evaluate_pairs(state_->batch_call(material, Precision::fast, options), wi, wo, values, {},
                         flags);
 }
 
@@ -91,7 +91,7 @@ Result<Report> Client::evaluate(const Material& material, std::span<const float>
                                 std::span<const float> wo, std::span<double> values,
                                 std::span<std::uint8_t> flags,
                                 const EvaluateOptions& options) const {
-  return evaluate_pairs(state_->evaluation(material, Precision::reference, options), wi, wo, values,
+  return evaluate_pairs(state_->batch_call(material, Precision::reference, options), wi, wo, values,
                         {}, flags);
 }
 
@@ -99,7 +99,7 @@ Result<Report> Client::evaluate(const Material& material, std::span<const double
                                 std::span<const double> wo, std::span<double> values,
                                 std::span<std::uint8_t> flags,
                                 const EvaluateOptions& options) const {
-  return evaluate_pairs(state_->evaluation(material, Precision::reference, options), wi, wo, values,
+  return evaluate_pairs(state_->batch_call(material, Precision::reference, options), wi, wo, values,
                         {}, flags);
 }
 
@@ -107,7 +107,7 @@ Result<Report> Client::evaluate_with_pdf(const Material& material, std::span<con
                                          std::span<const float> wo, std::span<float> values,
                                          std::span<float> pdf, std::span<std::uint8_t> flags,
                                          const EvaluateOptions& options) const {
-  return evaluate_both(state_->evaluation(material, Precision::fast, with_pdf(options)), wi, wo,
+  return evaluate_both(state_->batch_call(material, Precision::fast, with_pdf(options)), wi, wo,
                        values, pdf, flags);
 }
 
@@ -115,20 +115,20 @@ Result<Report> Client::evaluate_with_pdf(const Material& material, std::span<con
                                          std::span<const double> wo, std::span<double> values,
                                          std::span<double> pdf, std::span<std::uint8_t> flags,
                                          const EvaluateOptions& options) const {
-  return evaluate_both(state_->evaluation(material, Precision::reference, with_pdf(options)), wi,
+  return evaluate_both(state_->batch_call(material, Precision::reference, with_pdf(options)), wi,
                        wo, values, pdf, flags);
 }
 
 Result<Report> Client::evaluate(const Material& material, const Grid& grid, std::span<float> values,
                                 std::span<std::uint8_t> flags,
                                 const EvaluateOptions& options) const {
-  return evaluate_grid(state_->evaluation(material, Precision::fast, options), grid, values, flags);
+  return evaluate_grid(state_->batch_call(material, Precision::fast, options), grid, values, flags);
 }
 
 Result<Report> Client::evaluate(const Material& material, const Grid& grid,
                                 std::span<double> values, std::span<std::uint8_t> flags,
                                 const EvaluateOptions& options) const {
-  return evaluate_grid(state_->evaluation(material, Precision::reference, options), grid, values,
+  return evaluate_grid(state_->batch_call(material, Precision::reference, options), grid, values,
                        flags);
 }
 
@@ -136,9 +136,9 @@ template <class In, class Out>
 Result<Report> Client::evaluate_chunks(const Material& material, const PairSource<In>& source,
                                        const ChunkSink<In, Out>& sink,
                                        const EvaluateOptions& options) const {
-  Evaluation evaluation = state_->evaluation(material, precision_for<Out>(), options);
+  BatchCall batch_call = state_->batch_call(material, precision_for<Out>(), options);
   CallbackSource<In> chunks(source);
-  return evaluate_to_sink(evaluation, chunks, sink, std::nullopt);
+  return evaluate_to_sink(batch_call, chunks, sink, std::nullopt);
 }
 
 template <class Out>
@@ -146,9 +146,9 @@ Result<Report> Client::evaluate_chunks(const Material& material, const Grid& gri
                                        const ChunkSink<Out, Out>& sink,
                                        const EvaluateOptions& options) const {
   if (auto checked = check(grid); !checked) return checked.error();
-  Evaluation evaluation = state_->evaluation(material, precision_for<Out>(), options);
+  BatchCall batch_call = state_->batch_call(material, precision_for<Out>(), options);
   GridSource chunks(grid);
-  return evaluate_to_sink(evaluation, chunks, sink, grid.size());
+  return evaluate_to_sink(batch_call, chunks, sink, grid.size());
 }
 
 template Result<Report> Client::evaluate_chunks(const Material&, const PairSource<float>&,

@@ -1,9 +1,9 @@
 #include <optional>
 #include <utility>
 
+#include "client/calls/state.h"
 #include "client/messages/fit_convert.h"
 #include "client/rpc/progress_call.h"
-#include "client/rpc/state.h"
 #include "gonio/client/client.h"
 #include "wire/message.h"
 

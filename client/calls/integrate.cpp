@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
+#include "client/calls/state.h"
 #include "client/messages/convert.h"
-#include "client/rpc/check_answer.h"
-#include "client/rpc/state.h"
+#include "client/transfer/check_answer.h"
 #include "gonio/client/client.h"
 #include "gonio/v1/sample.pb.h"
 #include "wire/message.h"

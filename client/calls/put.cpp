@@ -2,9 +2,9 @@
 #include <memory>
 #include <utility>
 
+#include "client/calls/state.h"
 #include "client/rpc/open_call.h"
 #include "client/rpc/progress_call.h"
-#include "client/rpc/state.h"
 #include "gonio/client/client.h"
 #include "gonio/v1/put.pb.h"
 #include "wire/message.h"

@@ -2,8 +2,8 @@
 #include <optional>
 #include <string>
 
-#include "client/rpc/sample_chunks.h"
-#include "client/rpc/state.h"
+#include "client/calls/state.h"
+#include "client/transfer/sample_transfer.h"
 #include "gonio/client/client.h"
 
 namespace gonio::client {
@@ -50,14 +50,14 @@ Outcome check_lengths(const SampleBatch<T>& batch, const Samples<T>& results) {
 }
 
 template <class T>
-Result<Report> sample_into(Evaluation evaluation, const SampleBatch<T>& batch,
+Result<Report> sample_into(BatchCall batch_call, const SampleBatch<T>& batch,
                            const Samples<T>& results) {
   const std::uint64_t samples = results.pdf.size();
-  if (samples == 0) return evaluation.probe_for_nothing();
+  if (samples == 0) return batch_call.probe_for_nothing();
   Loan loan;  // outlives all that is made of it
-  SampleArraySource<T> source(batch, samples, evaluation.has_deadline() ? nullptr : &loan);
+  SampleArraySource<T> source(batch, samples, batch_call.has_deadline() ? nullptr : &loan);
   SampleArrayReceiver<T> receiver(results, batch.first);
-  return evaluation.run(source, receiver, results.weights.size() / samples, samples);
+  return batch_call.run(source, receiver, results.weights.size() / samples, samples);
 }
 
 template <class T>
@@ -74,7 +74,7 @@ RequestHead head_of(const Material& material, const SampleBatch<T>& batch,
 Result<Report> Client::sample(const Material& material, const SampleBatch<float>& batch,
                               const Samples<float>& results, const EvaluateOptions& options) const {
   if (auto fit = check_lengths(batch, results); !fit) return fit.error();
-  return sample_into(state_->evaluation(material, head_of(material, batch, options), options),
+  return sample_into(state_->batch_call(material, head_of(material, batch, options), options),
                      batch, results);
 }
 
@@ -82,7 +82,7 @@ Result<Report> Client::sample(const Material& material, const SampleBatch<double
                               const Samples<double>& results,
                               const EvaluateOptions& options) const {
   if (auto fit = check_lengths(batch, results); !fit) return fit.error();
-  return sample_into(state_->evaluation(material, head_of(material, batch, options), options),
+  return sample_into(state_->batch_call(material, head_of(material, batch, options), options),
                      batch, results);
 }
 
@@ -92,15 +92,15 @@ Result<Report> Client::sample_chunks(const Material& material, const DirectionSo
                                      const SampleSink<T>& sink,
                                      const EvaluateOptions& options) const {
   if (auto count = check_count(1, per_wi, 1); !count) return count.error();
-  Evaluation evaluation = state_->evaluation(
+  BatchCall batch_call = state_->batch_call(
       material, RequestHead::sample(material, precision_for<T>(), options, per_wi, numbers),
       options);
-  auto probed = evaluation.probe();
+  auto probed = batch_call.probe();
   if (!probed) return probed;
   SampleCallbackSource<T> chunks(source, per_wi);
   SampleSinkReceiver<T> receiver(sink, per_wi);
   auto report =
-      evaluation.run(chunks, receiver, static_cast<std::size_t>(probed->channels), std::nullopt);
+      batch_call.run(chunks, receiver, static_cast<std::size_t>(probed->channels), std::nullopt);
   if (!report || report->pairs != 0) return report;
   return about_nothing(*probed);
 }

@@ -1,9 +1,9 @@
 #include <optional>
 #include <utility>
 
+#include "client/calls/state.h"
 #include "client/messages/select_convert.h"
 #include "client/rpc/progress_call.h"
-#include "client/rpc/state.h"
 #include "gonio/client/client.h"
 #include "wire/message.h"
 
@@ -18,10 +18,7 @@ Result<Selection> Client::select(const SelectReference& reference, const SelectS
     gonio::v1::SelectResponse response;
     if (!wire::from_buffer(bytes, response)) return false;
     if (response.has_result()) result = std::move(*response.mutable_result());
-    if (response.has_progress() && watch.progress) {
-      const auto& at = response.progress();
-      watch.progress({at.stage(), at.candidate(), at.done(), at.candidates()});
-    }
+    if (response.has_progress() && watch.progress) watch.progress(progress_of(response.progress()));
     return result.has_value();
   };
   Patience patience(state_->options, options.deadline);

@@ -1,5 +1,7 @@
 #include "client/messages/convert.h"
 
+#include "wire/mapping/error_bound.h"
+
 namespace gonio::client {
 namespace {
 
@@ -101,7 +103,7 @@ InstructionSet instruction_set_of(gonio::v1::InstructionSet set) {
 }
 
 ErrorBound error_bound_of(const gonio::v1::ErrorBound& bound) {
-  return {bound.relative(), bound.above(), bound.cosine(), bound.note()};
+  return wire::from_message<ErrorBound>(bound).value();  // of numbers and texts alone
 }
 
 Catalogue catalogue_of(const gonio::v1::ListModelsResponse& response) {

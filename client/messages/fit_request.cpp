@@ -1,41 +1,18 @@
 // What Client::fit sends.
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 
 #include "client/messages/fit_convert.h"
+#include "wire/words.h"
 
 namespace gonio::client {
 namespace {
 
 namespace v1 = gonio::v1;
 
-constexpr std::array<std::pair<Objective, std::string_view>, 5> kObjectives{
-    {{Objective::l1, "l1"},
-     {Objective::l2, "l2"},
-     {Objective::huber, "huber"},
-     {Objective::log, "log"},
-     {Objective::cbrt, "cbrt"}}};
-
-v1::FitObjective to_wire(Objective objective) {
-  switch (objective) {
-    case Objective::l1:
-      return v1::FIT_OBJECTIVE_L1;
-    case Objective::l2:
-      return v1::FIT_OBJECTIVE_L2;
-    case Objective::huber:
-      return v1::FIT_OBJECTIVE_HUBER;
-    case Objective::log:
-      return v1::FIT_OBJECTIVE_LOG;
-    case Objective::cbrt:
-      return v1::FIT_OBJECTIVE_CBRT;
-  }
-  return v1::FIT_OBJECTIVE_UNSPECIFIED;
-}
-
 void fill(const FitOptions& from, v1::FitOptions& to) {
-  to.set_objective(to_wire(from.objective));
+  to.set_objective(wire::word_of<v1::FitObjective>(from.objective));
   to.set_strategy(from.strategy == FitStrategy::staged ? v1::FIT_STRATEGY_STAGED
                                                        : v1::FIT_STRATEGY_AUTOMATIC);
   to.set_anisotropic(from.anisotropic);
@@ -52,17 +29,10 @@ void fill(const FitOptions& from, v1::FitOptions& to) {
 
 }  // namespace
 
-std::string_view name_of(Objective objective) {
-  return std::find_if(kObjectives.begin(), kObjectives.end(),
-                      [&](const auto& known) { return known.first == objective; })
-      ->second;
-}
-
 std::optional<Objective> objective_of(std::string_view name) {
-  for (const auto& [objective, known] : kObjectives) {
-    if (known == name) return objective;
-  }
-  return std::nullopt;
+  const auto found = std::find(fit::kObjectiveNames.begin(), fit::kObjectiveNames.end(), name);
+  if (found == fit::kObjectiveNames.end()) return std::nullopt;
+  return static_cast<Objective>(found - fit::kObjectiveNames.begin());
 }
 
 Outcome check_size(const FitData& data, std::size_t limit) {

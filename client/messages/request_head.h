@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "client/rpc/answer.h"
+#include "client/messages/answer.h"
 #include "gonio/client/client.h"
 
 namespace gonio::client {

@@ -13,6 +13,7 @@ namespace gonio::client {
 Result<gonio::v1::SelectRequest> select_request(const SelectReference& reference,
                                                 const SelectScene& scene,
                                                 const SelectOptions& options);
+SelectProgress progress_of(const gonio::v1::SelectProgress& progress);
 Result<Selection> selection_of(const gonio::v1::SelectResult& result);
 
 }  // namespace gonio::client

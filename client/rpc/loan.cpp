@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "base/happens_before.h"
-#include "client/rpc/attend.h"
+#include "client/rpc/wait.h"
 
 namespace gonio::client {
 
@@ -20,7 +20,7 @@ grpc::Slice Loan::lend(const void* data, std::size_t bytes) {
 
 Loan::~Loan() {
   if (lent_ == 0) return;
-  attend_until(std::chrono::system_clock::time_point::max(), [this] { return lent_ == 0; });
+  wait_until(std::chrono::system_clock::time_point::max(), [this] { return lent_ == 0; });
 }
 
 }  // namespace gonio::client

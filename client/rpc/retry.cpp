@@ -4,7 +4,7 @@
 #include <charconv>
 #include <random>
 
-#include "client/rpc/attend.h"
+#include "client/rpc/wait.h"
 #include "gonio/base/shown.h"
 #include "wire/status.h"
 
@@ -99,7 +99,7 @@ bool Patience::pause_to_retry(const Failure& failure) {
   if (!failure.may_retry || in_vain_ >= max_retries_) return false;
   const auto pause = next_pause(failure);
   if (deadline_ && Clock::now() + pause >= *deadline_) return false;
-  attend_until(Clock::now() + pause);
+  wait_until(Clock::now() + pause);
   ++in_vain_;
   ++retries_;
   return true;

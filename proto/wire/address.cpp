@@ -44,7 +44,7 @@ std::string allowed(unsigned least_port) {
          std::to_string(least_port) + " to 65535";
 }
 
-// What begins with two slashes is refused: a URI names a host there.
+// Two slashes at the beginning are refused: a URI has a host there.
 Result<Address> parse_unix(std::string_view text, std::string_view field, unsigned least_port) {
   std::string_view path = text.substr(kUnix.size());
   const std::size_t slashes = std::min(path.find_first_not_of('/'), path.size());
@@ -60,7 +60,7 @@ Result<Address> parse_unix(std::string_view text, std::string_view field, unsign
   return Address{std::string(kUnix).append(path), std::string(path), {}, {}};
 }
 
-// All but what means itself in every part of a URI.
+// Escapes all but the characters that every part of a URI takes literally.
 std::string escaped(std::string_view text) {
   constexpr std::string_view kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/:";
@@ -93,7 +93,7 @@ Result<Address> parse_address(std::string_view text, std::string_view field, uns
   return Address{std::string(text), {}, std::string(name), std::string(text.substr(colon + 1))};
 }
 
-// A host is said to be one: gRPC would take "dns:80" for port 80 of nothing.
+// The prefix marks the host as one: gRPC would read "dns:80" as port 80 without a host.
 std::string grpc_target(const Address& address) {
   if (address.is_unix()) return std::string(kUnix) + escaped(address.path);
   return "dns:///" + escaped(address.text);

@@ -1,11 +1,9 @@
-// Where a server is reached: the addresses that server and client take alike, and what gRPC is
-// given for them.
+// Addresses of servers: the forms that server and client accept, and their translation for gRPC.
 //
-// gRPC itself reads addresses as URIs, a client's otherwise than a server's: in "unix:a#b" it drops
-// what follows '#', "unix:a%41" is the file aA, and "dns:80" no host at all. Here a path is the
-// file's name byte by byte, and what gRPC is given is escaped so that it comes to the same file or
-// host. Clients that use gRPC by themselves escape by themselves. Thread safety: functions without
-// state, plain values.
+// gRPC reads addresses as URIs, and a client's differently from a server's: in "unix:a#b" it drops
+// what follows '#', "unix:a%41" is the file aA, and "dns:80" has no host. Here a path is the file's
+// name byte by byte, and gRPC gets an escaped form that names the same file or host. Clients that
+// use gRPC directly must escape themselves. Thread safety: functions without state, plain values.
 #pragma once
 
 #include <string>
@@ -24,10 +22,10 @@ struct Address {
 };
 
 // "host:port", "[::1]:port", "unix:PATH" or "unix:///PATH", the path relative or absolute. `field`
-// is what errors call it; ports begin at `least_port` (a server may ask for port 0).
+// is its name in errors. Ports begin at `least_port` (a server may ask for port 0).
 Result<Address> parse_address(std::string_view text, std::string_view field, unsigned least_port);
 
-// What a channel or a server's listening port is made with.
+// The form for a gRPC channel or a server's listening port.
 std::string grpc_target(const Address& address);
 
 }  // namespace gonio::wire

@@ -31,8 +31,8 @@ struct Array {
   std::size_t count = 0;
 };
 
-// In all requests: the serialised gonio.v1.Material, not parsed (whoever has seen the same bytes
-// before need not), and where the arrays lie.
+// In all requests: the serialised gonio.v1.Material, not parsed (a caller that has seen the same
+// bytes before need not parse them), and the places of the arrays.
 struct Request {
   using Message = gonio::v1::EvaluateRequest;
   enum class Kind : std::uint8_t { none, pairs, pairs_f64, grid };
@@ -73,7 +73,7 @@ template <class Head>
 struct ResponseOf {
   using Message = Head;
   Head head;            // everything but the arrays
-  SliceBytes bytes;     // where those lie
+  SliceBytes bytes;     // what the arrays lie in
   Array flags;          // bytes; none if nothing is flagged
   Array values;         // a sample's are its weights
   Array pdf;            // none if not asked for
@@ -108,7 +108,7 @@ struct SampleSlices {
   bool is_f64 = false;
 };
 
-// The arrays of a request as the fields they become.
+// The arrays of a request as fields of its message.
 struct RequestArrays {
   RequestArrays() = default;
   // NOLINTBEGIN(google-explicit-constructor): one of these is what a request's arrays are

@@ -7,6 +7,7 @@
 
 #include "base/text/encoding.h"
 #include "gonio/base/shown.h"
+#include "wire/mapping/error_bound.h"
 #include "wire/material_keys.h"
 
 namespace gonio::wire {
@@ -27,14 +28,7 @@ gonio::v1::InstructionSet to_wire(Isa isa) {
   return gonio::v1::INSTRUCTION_SET_UNSPECIFIED;
 }
 
-v1::ErrorBound to_wire(const ErrorBound& bound) {
-  v1::ErrorBound to;
-  to.set_relative(bound.relative);
-  to.set_above(bound.above);
-  to.set_cosine(bound.cosine);
-  to.set_note(std::string(bound.note));
-  return to;
-}
+v1::ErrorBound to_wire(const ErrorBound& bound) { return to_message(stated(bound)); }
 
 Result<Precision> from_wire(gonio::v1::Precision precision) {
   switch (precision) {

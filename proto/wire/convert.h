@@ -30,7 +30,8 @@ Result<Isa> from_wire(gonio::v1::InstructionSet isa);
 // unknown fields.
 Result<gonio::v1::Material> material_from_json(std::string_view json);
 
-// What protobuf says of text that is no JSON, on one line: it quotes the text below its words.
+// protobuf's message about text that is no JSON, on one line: protobuf quotes the text on a second
+// line.
 std::string json_problem(std::string_view message);
 
 }  // namespace gonio::wire

@@ -13,7 +13,7 @@ namespace {
 
 using Numbers = StreamNumbers;
 
-// The generated message that a decoded one is read from.
+// The generated message for each decoded type.
 template <class Decoded>
 struct MessageOf {
   using Type = typename Decoded::Message;

@@ -51,7 +51,7 @@ std::size_t array_size(std::uint32_t number, const grpc::Slice& slice) {
   return slice.size() == 0 ? 0 : header_size(number, slice.size()) + slice.size();
 }
 
-// The arrays' fields, or that of the message they are within.
+// The fields of the arrays, or the field of the message that holds them.
 std::size_t content_size(const RequestArrays& arrays) {
   std::size_t size = 0;
   for (const auto& one : arrays.arrays) size += array_size(one.number, one.data);

@@ -1,7 +1,7 @@
 // Walks the fields of one protobuf message that lies in slices, and writes field headers.
 //
-// Knows the four wire types of proto3 (not groups); what it does not understand it reports as not
-// ok(), and the caller asks the generated parser. Format: protobuf.dev/programming-guides/encoding.
+// Knows the four wire types of proto3 (not groups). For anything else ok() is false, and the caller
+// uses the generated parser. Format: protobuf.dev/programming-guides/encoding.
 #pragma once
 
 #include <cstddef>

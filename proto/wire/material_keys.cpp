@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/near_names.h"
+#include "base/text/join.h"
 #include "gonio/v1/material.pb.h"
 
 namespace gonio::wire {
@@ -25,19 +26,15 @@ const pb::FieldDescriptor* field_of(const pb::Descriptor& message, const std::st
 
 Error unknown_key(const pb::Descriptor& message, const std::string& at, const std::string& key) {
   std::vector<std::string> known;
-  std::string all;
-  for (int i = 0; i < message.field_count(); ++i) {
-    known.push_back(message.field(i)->name());
-    all += (all.empty() ? "" : ", ") + known.back();
-  }
+  for (int i = 0; i < message.field_count(); ++i) known.push_back(message.field(i)->name());
   std::string hint = did_you_mean(key, std::span<const std::string>(known));
   if (hint.empty()) hint = R"(; what a model takes stands within "parameters")";
-  return bad_value(at + key, "not a field", all + hint);
+  return bad_value(at + key, "not a field", joined(known) + hint);
 }
 
 Outcome check(const pb::Struct& object, const pb::Descriptor& message, const std::string& at);
 
-// Parameters are free; what else is a message has keys of its own.
+// The keys of parameters are not checked; other nested messages have keys of their own.
 Outcome check_value(const pb::Value& value, const pb::Descriptor& message, const std::string& at) {
   if (&message == pb::Struct::descriptor() || !value.has_struct_value()) return Ok{};
   return check(value.struct_value(), message, at + ".");

@@ -7,8 +7,8 @@
 namespace gonio::wire {
 namespace {
 
-// The sum of what `count` finds in every field of that number. Behind a group, which only the
-// generated parser can follow, all the rest counts: there may be anything.
+// The sum of `count` over every field of that number. Everything behind a group counts, because
+// only the generated parser can follow groups.
 template <class Count>
 std::size_t sum_of(const SliceBytes& bytes, Range range, std::uint32_t number, const Count& count) {
   std::size_t sum = 0, walked = range.begin;

@@ -1,7 +1,7 @@
-// How large a request's material may be.
+// The largest size of a request's material.
 //
-// Nothing else in a request takes so much more memory once it is parsed: up to 70 times its bytes.
-// Thread safety: functions without state.
+// A parsed material takes up to 70 times its bytes, more than anything else in a request. Thread
+// safety: functions without state.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace gonio::wire {
 
-// Of the serialised gonio.v1.Material; the largest that makes sense has a few kilobytes.
+// The limit for the serialised gonio.v1.Material. A sensible one has at most a few kilobytes.
 inline constexpr std::size_t kMaxMaterialBytes = std::size_t{256} << 10;
 
 Outcome check_material_size(std::size_t bytes);

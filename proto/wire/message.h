@@ -1,4 +1,4 @@
-// Messages to bytes and from them, those of the hot path apart (see codec.h). Thread safety:
+// Conversion of messages to bytes and back. Those of the hot path are in codec.h. Thread safety:
 // functions without state.
 #pragma once
 
@@ -11,10 +11,10 @@
 
 namespace gonio::wire {
 
-// In bytes: what a server can be told to take. Protobuf itself ends at twice this.
+// In bytes: the largest limit that a server can be given. Protobuf's own limit is twice this.
 inline constexpr std::size_t kLargestMessage = std::size_t{1} << 30;
 
-// Of a message of no more than kLargestMessage.
+// For a message of at most kLargestMessage.
 template <class Message>
 grpc::ByteBuffer to_buffer(const Message& message) {
   grpc::ByteBuffer buffer;
@@ -23,14 +23,14 @@ grpc::ByteBuffer to_buffer(const Message& message) {
   return buffer;
 }
 
-// Takes the buffer. False for bytes that are no such message.
+// Consumes the buffer. Returns false for bytes that are no such message.
 template <class Message>
 bool from_buffer(grpc::ByteBuffer& buffer, Message& message) {
   return grpc::SerializationTraits<Message>::Deserialize(&buffer, &message).ok();
 }
 
-// The same bytes for the same message, always: its own SerializeAsString() has the entries of maps,
-// such as parameters, in any order.
+// Always the same bytes for the same message: SerializeAsString() writes the entries of maps, such
+// as parameters, in any order.
 std::string to_bytes(const google::protobuf::MessageLite& message);
 
 }  // namespace gonio::wire

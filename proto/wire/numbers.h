@@ -1,4 +1,4 @@
-// The field numbers that the codec writes and reads by itself, and that messages have in common.
+// The field numbers that the codec itself writes and reads, and that messages have in common.
 // Internal to wire/.
 #pragma once
 
@@ -9,12 +9,12 @@
 
 namespace gonio::wire {
 
-// Of a request: where its material is.
+// Of a request: its material.
 inline constexpr std::uint32_t kMaterial = gonio::v1::EvaluateRequest::kMaterialFieldNumber;
 static_assert(kMaterial == gonio::v1::SampleRequest::kMaterialFieldNumber);
 static_assert(kMaterial == gonio::v1::IntegrateRequest::kMaterialFieldNumber);
 
-// Of a stream's messages: those around its requests and answers.
+// Of a stream's messages: the fields that hold requests and answers.
 struct StreamNumbers {
   static constexpr std::uint32_t kSequence = 1, kSlot = 2, kRequest = 3;
   static constexpr std::uint32_t kAnswer = 2, kError = 3;
@@ -35,7 +35,7 @@ static_assert(has_stream_numbers<gonio::v1::SampleStreamRequest, gonio::v1::Samp
     gonio::v1::SampleStreamRequest::kSampleFieldNumber,
     gonio::v1::SampleStreamResponse::kSampleFieldNumber));
 
-// Of a response: its arrays, in float32 and in float64; 0 for one that it has not.
+// Of a response: its arrays, in float32 and in float64; 0 for an array that it lacks.
 struct ArrayNumbers {
   std::uint32_t flags;
   struct Pair {

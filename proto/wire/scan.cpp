@@ -17,14 +17,14 @@ void append(const SliceBytes& bytes, Range range, std::string& to) {
   bytes.copy(range.begin, range.size(), to.data() + old);
 }
 
-// A packed array that may be there once.
+// A packed array that may occur once.
 struct ArrayField {
   std::uint32_t number;
   std::size_t element;  // bytes
   Array array = {};
   bool seen = false;
 
-  // False for what the generated parser should look at: unpacked, twice, broken.
+  // False for arrays that are left to the generated parser: unpacked, repeated or broken ones.
   bool take(const Field& field) {
     if (seen || field.type != WireType::bytes || field.value.size() % element != 0) return false;
     seen = true;
@@ -41,13 +41,13 @@ ArrayField* find(std::array<ArrayField, N>& arrays, std::uint32_t number) {
   return nullptr;
 }
 
-// Given twice, a material merges: which is what its bytes in a row mean.
+// A material that occurs twice is merged, which its concatenated bytes express.
 void take_material(const SliceBytes& bytes, Range range, std::optional<std::string>& to) {
   append(bytes, range, to ? *to : to.emplace());
 }
 
-// A message of which the arrays are only noted and the material (if it has one) is left as it is;
-// the rest is small and goes to the generated parser.
+// Notes the places of a message's arrays and leaves its material, if there is one, as it is. The
+// rest is small and goes to the generated parser.
 template <std::size_t N, class Head>
 bool scan_flat(const SliceBytes& bytes, Range range, std::array<ArrayField, N>& arrays, Head& head,
                std::optional<std::string>* material) {

@@ -1,7 +1,7 @@
 // Reads a message in its canonical form without a copy of its arrays. Internal to wire/.
 //
-// False: the bytes are legal in another form, or not at all; the generated parser should look.
-// Thread safety: functions without state.
+// Returns false for bytes that are legal in another form, or not legal; the generated parser
+// decides. Thread safety: functions without state.
 #pragma once
 
 #include "wire/codec.h"

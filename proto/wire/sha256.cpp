@@ -8,7 +8,7 @@ namespace gonio::wire {
 
 void Sha256::Free::operator()(evp_md_ctx_st* context) const { EVP_MD_CTX_free(context); }
 
-// Of these calls only memory that runs out can make one fail.
+// These calls fail only when memory runs out.
 Sha256::Sha256() : context_(EVP_MD_CTX_new()) {
   if (!context_ || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1)
     throw std::bad_alloc();

@@ -1,5 +1,5 @@
-// SHA-256, by which the two sides of an upload agree on what was sent (FIPS 180-4; OpenSSL's).
-// Thread safety: used by one thread.
+// SHA-256 (FIPS 180-4, by OpenSSL), with which the receiver of an upload checks its bytes. Thread
+// safety: used by one thread.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ class Sha256 {
  public:
   Sha256();
   void add(std::string_view bytes);
-  // Of all that was added; once.
+  // The digest of all that was added. Called once.
   [[nodiscard]] Sha256Sum finish();
 
  private:

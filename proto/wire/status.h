@@ -1,9 +1,9 @@
 // Errors on the wire: the one place where a core error becomes a gRPC status, and back.
 //
 // A status carries the serialised gonio.v1.ErrorDetail as its details (grpc-status-details-bin).
-// Texts are shortened so that a status always fits into HTTP/2 headers, and shown as shown() does
-// (gonio/base/shown.h), going and coming: neither side has to trust the other's bytes. Thread
-// safety: functions without state.
+// Texts are shortened so that a status always fits into HTTP/2 headers, and pass through shown()
+// (gonio/base/shown.h) on both sides: neither has to trust the other's bytes. Thread safety:
+// functions without state.
 #pragma once
 
 #include <grpcpp/support/status.h>

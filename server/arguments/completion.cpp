@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/text/join.h"
 #include "server/arguments/words.h"
 
 namespace gonio::arguments {

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/join.h"
+
 namespace gonio::arguments {
 namespace {
 
@@ -40,13 +42,10 @@ std::string as_it_is(std::string_view text) {
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 std::string names_of(const CLI::Option& option) {
-  std::string names;
-  const auto add = [&](const std::string& name) {
-    names += (names.empty() ? "" : ", ") + bold(name);
-  };
-  for (const std::string& name : option.get_snames()) add("-" + name);
-  for (const std::string& name : option.get_lnames()) add("--" + name);
-  if (names.empty()) names = italic(option.get_name(true));
+  std::vector<std::string> all;
+  for (const std::string& name : option.get_snames()) all.push_back(bold("-" + name));
+  for (const std::string& name : option.get_lnames()) all.push_back(bold("--" + name));
+  std::string names = all.empty() ? italic(option.get_name(true)) : joined(all);
   if (option.get_type_size() > 0 && option.nonpositional() && !option.get_type_name().empty())
     names += " " + italic(option.get_type_name());
   return names;

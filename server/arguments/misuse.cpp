@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/near_names.h"
+#include "base/text/join.h"
 #include "gonio/base/shown.h"
 
 namespace gonio::arguments {
@@ -84,8 +85,7 @@ std::string extra_argument(const CLI::App& app, const CLI::App& command,
 
 std::string unknown_command(const CLI::App& app, const std::string& argument) {
   const auto commands = commands_of(app);
-  std::string all;
-  for (const std::string& command : commands) all += (all.empty() ? "" : ", ") + command;
+  const std::string all = joined(commands);
   if (is_file(argument)) {
     return in_quotes(argument) + " is a file; a command must come first: " + app.get_name() +
            " COMMAND, one of " + all;

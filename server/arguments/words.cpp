@@ -5,16 +5,10 @@
 #include <utility>
 
 #include "base/near_names.h"
+#include "base/text/join.h"
 #include "gonio/base/shown.h"
 
 namespace gonio::arguments {
-
-std::string joined(const std::vector<std::string>& words, const char* separator) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
-  return text;
-}
-
 namespace {
 
 // A validator's name holds its words: an option keeps a copy of the plain Validator, which has no
@@ -41,7 +35,7 @@ CLI::Validator one_of(std::vector<std::string> words) {
   const std::string name = kOneOf + (" " + joined(words, " "));
   const auto check = [words = std::move(words)](std::string& given) -> std::string {
     if (std::find(words.begin(), words.end(), given) != words.end()) return {};
-    return "\"" + shown(given, kQuotedLength) + "\" is not known; allowed: " + joined(words, ", ") +
+    return "\"" + shown(given, kQuotedLength) + "\" is not known; allowed: " + joined(words) +
            did_you_mean(given, std::span<const std::string>(words));
   };
   return {check, "", name};

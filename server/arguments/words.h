@@ -7,9 +7,6 @@
 
 namespace gonio::arguments {
 
-// The words with the separator between them.
-std::string joined(const std::vector<std::string>& words, const char* separator);
-
 // One of the words and nothing else; errors list them and ask for the nearest.
 CLI::Validator one_of(std::vector<std::string> words);
 // Anything, but these words are what a shell may complete.

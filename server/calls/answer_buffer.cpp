@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-namespace gonio {
+namespace gonio::server {
 
 std::optional<AnswerBuffer> AnswerBuffer::allocate(std::size_t bytes) {
   if (bytes == 0) return AnswerBuffer{};
@@ -12,4 +12,4 @@ std::optional<AnswerBuffer> AnswerBuffer::allocate(std::size_t bytes) {
   return AnswerBuffer{data, grpc::Slice(data, bytes, [](void* memory) { std::free(memory); })};
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

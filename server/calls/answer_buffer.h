@@ -12,7 +12,7 @@
 
 #include "gonio/base/result.h"
 
-namespace gonio {
+namespace gonio::server {
 
 struct AnswerBuffer {
   void* data = nullptr;  // aligned to 64 bytes; lives as long as a copy of `slice`
@@ -27,4 +27,4 @@ inline Error no_memory_for(const std::string& what) {
   return {ErrorCode::resource_exhausted, "no memory for " + what, "", "", ""};
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -1,17 +1,51 @@
-#include "server/calls/assess_call.h"
-
+// One Assess call: it waits in the queue of fits and runs on a thread of theirs, so that no
+// evaluation waits for it; asked again and again whether its caller still waits.
+//
+// The call owns itself until gRPC is done with it and the queue has let go of it.
 #include <grpcpp/server_context.h>
+#include <grpcpp/support/byte_buffer.h>
+#include <grpcpp/support/server_callback.h>
 
+#include <memory>
+#include <optional>
 #include <utility>
 
+#include "assess/assess.h"
 #include "assess/verdict.h"
 #include "base/happens_before.h"
+#include "server/calls/start_calls.h"
 #include "server/messages/assess_request.h"
+#include "server/work/background_work.h"
 #include "wire/convert.h"
 #include "wire/message.h"
 #include "wire/status.h"
 
-namespace gonio {
+namespace gonio::server {
+namespace {
+
+class AssessCall final : public grpc::ServerUnaryReactor,
+                         public std::enable_shared_from_this<AssessCall> {
+ public:
+  static AssessCall* start(const Backend& backend, grpc::CallbackServerContext& context,
+                           const grpc::ByteBuffer& request, grpc::ByteBuffer& response);
+
+ private:
+  AssessCall(const Backend& backend, grpc::CallbackServerContext& context,
+             grpc::ByteBuffer& response);
+  void OnCancel() override;
+  void OnDone() override;
+
+  Outcome enqueue(const grpc::ByteBuffer& request);
+  void run();
+  void end(grpc::Status status) noexcept;
+
+  BackgroundWork background_;
+  grpc::ByteBuffer& response_;
+  std::optional<PreparedMaterial> material_;
+  assess::Options options_;
+  Isa isa_ = Isa::baseline;
+  std::shared_ptr<AssessCall> self_;
+};
 
 AssessCall::AssessCall(const Backend& backend, grpc::CallbackServerContext& context,
                        grpc::ByteBuffer& response)
@@ -22,8 +56,12 @@ AssessCall* AssessCall::start(const Backend& backend, grpc::CallbackServerContex
   const std::shared_ptr<AssessCall> call(new AssessCall(backend, context, response));
   call->self_ = call;
   happens_before(call->background_.state());
-  if (const auto queued = call->enqueue(request); !queued)
-    call->end(wire::to_status(queued.error()));
+  try {
+    if (const auto queued = call->enqueue(request); !queued)
+      call->end(wire::to_status(queued.error()));
+  } catch (...) {
+    call->end(call->background_.status_of(std::current_exception()));
+  }
   return call.get();
 }
 
@@ -39,8 +77,10 @@ Outcome AssessCall::enqueue(const grpc::ByteBuffer& buffer) {
   const auto isa = choose_isa(request->instruction_set());
   if (!isa) return isa.error();
   isa_ = *isa;
-  return background_.submit(assess::memory_of(material_->material().channels(), options_),
-                            [self = shared_from_this()] { self->run(); });
+  const auto self = shared_from_this();
+  return background_.submit(
+      assess::memory_of(material_->material().channels(), options_), [self] { self->run(); },
+      [self](grpc::Status status) { self->end(std::move(status)); });
 }
 
 void AssessCall::run() {
@@ -56,10 +96,10 @@ void AssessCall::run() {
   end(grpc::Status::OK);
 }
 
-void AssessCall::end(const grpc::Status& status) {
+void AssessCall::end(grpc::Status status) noexcept {
   background_.ended(status);
   happens_before(this);
-  Finish(status);  // gRPC may be done with this
+  Finish(std::move(status));  // gRPC may be done with this
 }
 
 void AssessCall::OnCancel() {
@@ -74,4 +114,11 @@ void AssessCall::OnDone() {
   backend.call_ends();
 }
 
-}  // namespace gonio
+}  // namespace
+
+UnaryReactor* start_assess(const Backend& backend, grpc::CallbackServerContext& context,
+                           const grpc::ByteBuffer& request, grpc::ByteBuffer& response) {
+  return AssessCall::start(backend, context, request, response);
+}
+
+}  // namespace gonio::server

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace gonio {
+namespace gonio::server {
 
 namespace {
 
@@ -18,7 +18,7 @@ Error busy(const std::string& what) {
 }  // namespace
 
 Outcome compute(const Backend& backend, const std::shared_ptr<Work>& work, const CallState& state,
-                std::function<void(bool completed)> done) {
+                WorkEnd end) {
   auto charge = backend.memory.take(work->bytes());
   if (!charge) {
     return busy("memory is full: requests and answers hold " +
@@ -28,14 +28,15 @@ Outcome compute(const Backend& backend, const std::shared_ptr<Work>& work, const
   work->keep(std::move(charge));
   if (work->is_small()) {
     work->run_all();
-    done(true);
+    end.done(true);
     return Ok{};
   }
   ThreadPool::Job job;
   job.tiles = work->tiles();
   job.run = [work](std::size_t tile) { work->run_tile(tile); };
   job.stop = [&state] { return state.is_over(); };
-  job.done = std::move(done);
+  job.done = std::move(end.done);
+  job.failed = std::move(end.failed);
   if (backend.pool.submit(std::move(job))) return Ok{};
   return busy("queue is full: it holds at most " + std::to_string(backend.max_queued_jobs) +
               " batches");
@@ -47,12 +48,15 @@ AccessLine::AccessLine(const char* method_name, const char* name_of_items,
       items_name(name_of_items),
       peer(logger.should_log(spdlog::level::debug) ? context.peer() : "") {}
 
-void AccessLine::write(spdlog::logger& logger, const std::string& outcome) const {
+void AccessLine::write(spdlog::logger& logger, const grpc::Status& status) const noexcept try {
   if (!logger.should_log(spdlog::level::debug)) return;
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  const std::string outcome = status.ok() ? "OK" : status.error_message();
   logger.debug("{} from {}: {}, {:.3f} ms, {} batches ({} failed), {} {}, kernels {:.3f} ms",
                method, peer, outcome, taken.count(), batches, failed, items, items_name,
                1e3 * kernel_seconds);
+} catch (...) {
+  return;  // no memory for it
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

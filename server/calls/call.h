@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
@@ -22,12 +23,13 @@
 
 namespace grpc {
 class CallbackServerContext;
-}
+class Status;
+}  // namespace grpc
 namespace spdlog {
 class logger;
 }
 
-namespace gonio {
+namespace gonio::server {
 
 // Where fits run, and for how long one may.
 struct FitBackend {
@@ -92,12 +94,18 @@ class CallState {
   std::chrono::system_clock::time_point deadline_;
 };
 
-// Does small work at once and queues the other; `done(completed)` is called exactly once,
-// here or by a compute thread, unless the queue or the memory is full: then the error says so and
-// `done` is not called. The work's memory is charged for as long as its charge is kept. The
-// call is asked before each tile whether it is over; `state` must live until `done`.
+// How a call learns of the end of its work, once and from any thread. Neither may throw.
+struct WorkEnd {
+  std::function<void(bool completed)> done;
+  std::function<void(const std::exception_ptr& failure)> failed;  // the work threw
+};
+
+// Does small work at once and queues the other; one of `end` is called exactly once, here or by a
+// compute thread, unless the queue or the memory is full: then the error says so and neither is
+// called, as when this throws. The work's memory is charged for as long as its charge is kept. The
+// call is asked before each tile whether it is over; `state` must live until the end.
 Outcome compute(const Backend& backend, const std::shared_ptr<Work>& work, const CallState& state,
-                std::function<void(bool completed)> done);
+                WorkEnd end);
 
 // How long a client that was refused for this should wait: some jobs are done by then.
 inline constexpr const char* kPushbackMilliseconds = "20";
@@ -114,7 +122,8 @@ struct AccessLine {
 
   AccessLine(const char* method_name, const char* name_of_items,
              const grpc::CallbackServerContext& context, const spdlog::logger& logger);
-  void write(spdlog::logger& logger, const std::string& outcome) const;
+  // A line that cannot be written is left out: the call ends all the same.
+  void write(spdlog::logger& logger, const grpc::Status& status) const noexcept;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

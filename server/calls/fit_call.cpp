@@ -1,11 +1,14 @@
-#include "server/calls/fit_call.h"
-
+// One Fit call: the fit, with its progress. Thread safety: see progress_call.h.
 #include <utility>
 
+#include "server/calls/progress_call.h"
+#include "server/calls/start_calls.h"
 #include "server/messages/fit_messages.h"
+#include "server/messages/fit_request.h"
+#include "wire/mapping/certificate.h"
 #include "wire/message.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 // The core knows the fields of the form, not what a request calls it.
@@ -22,23 +25,27 @@ Error within_request(Error error) {
   return error;
 }
 
-grpc::ByteBuffer to_event(v1::FitProgress progress) {
+grpc::ByteBuffer to_event(const fit::Progress& progress) {
   v1::FitResponse response;
-  *response.mutable_progress() = std::move(progress);
+  *response.mutable_progress() = wire::to_message(progress);
   return wire::to_buffer(response);
 }
 
-grpc::ByteBuffer at_stage(const char* stage) {
-  v1::FitProgress progress;
-  progress.set_stage(stage);
-  return to_event(std::move(progress));
-}
+class FitCall final : public ProgressCall {
+ public:
+  FitCall(const Backend& backend, grpc::CallbackServerContext& context);
 
-}  // namespace
+ private:
+  Result<std::size_t> prepare(const grpc::ByteBuffer& request) override;
+  Result<grpc::ByteBuffer> work() override;
+
+  v1::FitRequest request_;  // empty once the data are taken from it
+  FitTask task_;
+};
 
 FitCall::FitCall(const Backend& backend, grpc::CallbackServerContext& context)
     : ProgressCall(backend, context, "Fit", "the fit") {
-  note(at_stage("queued"));
+  note(to_event({.stage = "queued"}));
 }
 
 Result<std::size_t> FitCall::prepare(const grpc::ByteBuffer& buffer) {
@@ -52,13 +59,13 @@ Result<std::size_t> FitCall::prepare(const grpc::ByteBuffer& buffer) {
 }
 
 Result<grpc::ByteBuffer> FitCall::work() {
-  note(at_stage("data"));
+  note(to_event({.stage = "data"}));
   const auto data = fit_data(request_, task_);
   if (!data) return data.error();
   request_.Clear();
   background().access().items = data->size();
   fit::Watch watch;
-  watch.progress = [this](const fit::Progress& progress) { note(to_event(to_wire(progress))); };
+  watch.progress = [this](const fit::Progress& progress) { note(to_event(progress)); };
   watch.stop = [this] { return background().should_stop(); };
   const auto result = fit::fit(*data, task_.form, task_.options, watch);
   if (!result) return within_request(result.error());
@@ -68,4 +75,11 @@ Result<grpc::ByteBuffer> FitCall::work() {
   return wire::to_buffer(response);
 }
 
-}  // namespace gonio
+}  // namespace
+
+ProgressReactor* start_fit(const Backend& backend, grpc::CallbackServerContext& context,
+                           const grpc::ByteBuffer& request) {
+  return ProgressCall::start<FitCall>(backend, context, request);
+}
+
+}  // namespace gonio::server

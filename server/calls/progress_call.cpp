@@ -7,7 +7,7 @@
 #include "base/happens_before.h"
 #include "wire/status.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 using Clock = std::chrono::system_clock;
@@ -29,23 +29,27 @@ ProgressCall::~ProgressCall() { happens_after(&kAlarms); }
 void ProgressCall::begin(const grpc::ByteBuffer& request) {
   self_ = shared_from_this();
   happens_before(background_.state());
-  if (const auto queued = enqueue(request); !queued) {
-    end(std::nullopt, wire::to_status(queued.error()));
-  } else {
-    tick();
+  try {
+    if (const auto queued = enqueue(request); !queued) return fail(wire::to_status(queued.error()));
+  } catch (...) {
+    return fail(background_.status_of(std::current_exception()));
   }
+  tick();
 }
 
 Outcome ProgressCall::enqueue(const grpc::ByteBuffer& request) {
   const auto bytes = prepare(request);
   if (!bytes) return bytes.error();
-  return background_.submit(*bytes, [self = shared_from_this()] { self->run(); });
+  const auto self = shared_from_this();
+  return background_.submit(
+      *bytes, [self] { self->run(); },
+      [self](grpc::Status status) { self->fail(std::move(status)); });
 }
 
 void ProgressCall::run() {
-  if (background_.is_over()) return end(std::nullopt, wire::to_status(background_.over()));
+  if (background_.is_over()) return fail(wire::to_status(background_.over()));
   auto result = work();
-  if (!result) return end(std::nullopt, wire::to_status(background_.error_of(result.error())));
+  if (!result) return fail(wire::to_status(background_.error_of(result.error())));
   end(std::move(*result), grpc::Status::OK);
 }
 
@@ -54,12 +58,13 @@ void ProgressCall::note(grpc::ByteBuffer progress) {
   progress_.Swap(&progress);
 }
 
-void ProgressCall::end(std::optional<grpc::ByteBuffer> result, const grpc::Status& status) {
+void ProgressCall::end(std::optional<grpc::ByteBuffer> result, grpc::Status status) noexcept {
   background_.ended(status);
   {
     const std::lock_guard lock(mutex_);
+    if (end_) return;
     result_ = std::move(result);
-    end_ = status;
+    end_ = std::move(status);
   }
   pump(false);
 }
@@ -71,6 +76,14 @@ void ProgressCall::tick() {
     if (end_) return;
   }
   pump(true);
+  try {
+    set_alarm();
+  } catch (...) {
+    // There is no memory for it: no progress is sent from now on, and the result as ever.
+  }
+}
+
+void ProgressCall::set_alarm() {
   // Weak: the alarm belongs to the call.
   std::function<void(bool)> again = [weak = weak_from_this()](bool) {
     happens_after(&kAlarms);
@@ -112,7 +125,7 @@ void ProgressCall::pump(bool progress_is_due) {
     if (writing_ || finished_) return;
     if (end_) {
       finished_ = true;
-      final = end_;
+      final = std::move(end_);  // leaves end_ set
       if (result_) outgoing_.Swap(&*result_);
       write = result_.has_value();
     } else if (progress_is_due) {
@@ -122,9 +135,9 @@ void ProgressCall::pump(bool progress_is_due) {
   }
   happens_before(&outgoing_);
   if (final) happens_before(this);
-  if (final && write) return StartWriteAndFinish(&outgoing_, {}, *final);
-  if (final) return Finish(*final);
+  if (final && write) return StartWriteAndFinish(&outgoing_, {}, std::move(*final));
+  if (final) return Finish(std::move(*final));
   if (write) StartWrite(&outgoing_);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

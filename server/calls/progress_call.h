@@ -19,7 +19,7 @@
 #include "gonio/base/result.h"
 #include "server/work/background_work.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class ProgressCall : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
                      public std::enable_shared_from_this<ProgressCall> {
@@ -43,7 +43,8 @@ class ProgressCall : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
 
   // Takes the request, which is cheap; gives the memory that the work will need.
   virtual Result<std::size_t> prepare(const grpc::ByteBuffer& request) = 0;
-  // The work; its result as a message. An error of `cancelled`: it was stopped.
+  // The work; its result as a message. An error of `cancelled`: it was stopped. What is thrown ends
+  // the call, here as in prepare().
   virtual Result<grpc::ByteBuffer> work() = 0;
 
   [[nodiscard]] BackgroundWork& background() { return background_; }
@@ -58,8 +59,11 @@ class ProgressCall : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
   Outcome enqueue(const grpc::ByteBuffer& request);
   void run();
   void tick();
+  void set_alarm();
   void pump(bool progress_is_due);
-  void end(std::optional<grpc::ByteBuffer> result, const grpc::Status& status);
+  // Counts once. Throws nothing.
+  void end(std::optional<grpc::ByteBuffer> result, grpc::Status status) noexcept;
+  void fail(grpc::Status status) noexcept { end(std::nullopt, std::move(status)); }
 
   BackgroundWork background_;
   grpc::Alarm alarm_;
@@ -68,10 +72,10 @@ class ProgressCall : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
   std::mutex mutex_;
   grpc::ByteBuffer progress_;
   std::optional<grpc::ByteBuffer> result_;
-  std::optional<grpc::Status> end_;  // what is left to say
+  std::optional<grpc::Status> end_;  // none while the call goes on
   bool writing_ = false;
   bool finished_ = false;
   std::shared_ptr<ProgressCall> self_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -1,14 +1,20 @@
-#include "server/calls/put_call.h"
-
+// One PutMaterial call: reads the file's chunks, checks them, has them stored in the background,
+// answers. It deletes itself when gRPC is done with it. Thread safety: its steps follow each other.
 #include <grpcpp/server_context.h>
+#include <grpcpp/support/byte_buffer.h>
+#include <grpcpp/support/server_callback.h>
 
 #include <utility>
 
 #include "gonio/measured/table.h"
+#include "server/calls/call.h"
+#include "server/calls/failure.h"
+#include "server/calls/start_calls.h"
+#include "server/calls/upload.h"
 #include "wire/message.h"
 #include "wire/status.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 constexpr const char* kPutPushbackMilliseconds = "1000";
@@ -26,7 +32,34 @@ v1::PutMaterialResponse to_wire(const std::string& name, const PutResult& result
 
 Error cancelled() { return {ErrorCode::cancelled, "the upload was cancelled", {}, {}, {}}; }
 
-}  // namespace
+class PutCall final : public grpc::ServerReadReactor<grpc::ByteBuffer> {
+ public:
+  static PutCall* start(const Backend& backend, grpc::CallbackServerContext& context,
+                        grpc::ByteBuffer& response);
+
+ private:
+  PutCall(const Backend& backend, grpc::CallbackServerContext& context, grpc::ByteBuffer& response);
+  void OnReadDone(bool ok) override;
+  void OnCancel() override;
+  void OnDone() override;
+
+  void read();
+  void finish();
+  Outcome take();
+  Outcome queue_storing();
+  void store();
+  void refuse(const Error& error);
+  void fail(const std::exception_ptr& failure) noexcept;
+  void end(grpc::Status status);
+
+  const Backend& backend_;
+  grpc::CallbackServerContext& context_;
+  grpc::ByteBuffer& response_;
+  CallState state_;
+  AccessLine access_;
+  Upload upload_;
+  grpc::ByteBuffer incoming_;
+};
 
 PutCall::PutCall(const Backend& backend, grpc::CallbackServerContext& context,
                  grpc::ByteBuffer& response)
@@ -53,10 +86,16 @@ void PutCall::read() {
 // Not ok: the client has sent all, or is gone.
 void PutCall::OnReadDone(bool ok) {
   const Reaction reaction(this, &incoming_);
-  if (ok) {
+  try {
+    if (!ok) return finish();
     if (auto taken = take(); !taken) return refuse(taken.error());
-    return read();
+  } catch (...) {
+    return fail(std::current_exception());
   }
+  read();
+}
+
+void PutCall::finish() {
   if (state_.is_over() || context_.IsCancelled()) return refuse(cancelled());
   Outcome stored = upload_.finish();
   if (stored) stored = queue_storing();
@@ -73,7 +112,9 @@ Outcome PutCall::take() {
 
 Outcome PutCall::queue_storing() {
   access_.items = upload_.size();
-  if (backend_.puts.submit({[this] { store(); }, [this] { return state_.is_over(); }})) return Ok{};
+  BackgroundQueue::Job job{[this] { store(); }, [this] { return state_.is_over(); },
+                           [this](const std::exception_ptr& failure) { fail(failure); }};
+  if (backend_.puts.submit(std::move(job))) return Ok{};
   return Error{
       ErrorCode::resource_exhausted,
       "the server has " + std::to_string(backend_.puts.max_jobs()) + " uploads to store already",
@@ -98,10 +139,16 @@ void PutCall::refuse(const Error& error) {
   end(wire::to_status(error));
 }
 
-void PutCall::end(const grpc::Status& status) {
-  access_.write(backend_.logger, status.ok() ? "OK" : status.error_message());
+void PutCall::fail(const std::exception_ptr& failure) noexcept {
+  access_.failed = 1;
+  end(status_of_failure(access_.method, failure, backend_.logger));
+}
+
+// Throws only before gRPC has been told of the end.
+void PutCall::end(grpc::Status status) {
+  access_.write(backend_.logger, status);
   happens_before(this);
-  Finish(status);  // may delete this
+  Finish(std::move(status));  // may delete this
 }
 
 void PutCall::OnCancel() {
@@ -117,4 +164,11 @@ void PutCall::OnDone() {
   backend.call_ends();
 }
 
-}  // namespace gonio
+}  // namespace
+
+UploadReactor* start_put(const Backend& backend, grpc::CallbackServerContext& context,
+                         grpc::ByteBuffer& response) {
+  return PutCall::start(backend, context, response);
+}
+
+}  // namespace gonio::server

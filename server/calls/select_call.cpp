@@ -1,29 +1,37 @@
-#include "server/calls/select_call.h"
-
+// One Select call: the selection, with its progress. Thread safety: see progress_call.h.
 #include <utility>
 
+#include "server/calls/progress_call.h"
+#include "server/calls/start_calls.h"
 #include "server/messages/select_messages.h"
+#include "server/messages/select_request.h"
+#include "wire/mapping/selection.h"
 #include "wire/message.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
-grpc::ByteBuffer to_event(const char* stage, const std::string& candidate = {},
-                          std::size_t done = 0, std::size_t of = 0) {
+grpc::ByteBuffer to_event(const select::Progress& progress) {
   v1::SelectResponse response;
-  v1::SelectProgress& progress = *response.mutable_progress();
-  progress.set_stage(stage);
-  progress.set_candidate(candidate);
-  progress.set_done(done);
-  progress.set_candidates(of);
+  *response.mutable_progress() = wire::to_message(progress);
   return wire::to_buffer(response);
 }
 
-}  // namespace
+class SelectCall final : public ProgressCall {
+ public:
+  SelectCall(const Backend& backend, grpc::CallbackServerContext& context);
+
+ private:
+  Result<std::size_t> prepare(const grpc::ByteBuffer& request) override;
+  Result<grpc::ByteBuffer> work() override;
+  Result<select::Selection> choose();
+
+  SelectTask task_;
+};
 
 SelectCall::SelectCall(const Backend& backend, grpc::CallbackServerContext& context)
     : ProgressCall(backend, context, "Select", "the selection") {
-  note(to_event("queued"));
+  note(to_event({.stage = "queued"}));
 }
 
 Result<std::size_t> SelectCall::prepare(const grpc::ByteBuffer& buffer) {
@@ -38,7 +46,7 @@ Result<std::size_t> SelectCall::prepare(const grpc::ByteBuffer& buffer) {
 Result<select::Selection> SelectCall::choose() {
   select::Options& options = task_.options;
   options.progress = [this](const std::string& name, std::size_t done, std::size_t of) {
-    note(to_event("candidates", name, done, of));
+    note(to_event({"candidates", name, done, of}));
   };
   options.stop = [this] { return background().should_stop(); };
   if (task_.material) return select::choose(task_.material->material(), task_.scene, options);
@@ -49,7 +57,7 @@ Result<select::Selection> SelectCall::choose() {
 }
 
 Result<grpc::ByteBuffer> SelectCall::work() {
-  note(to_event("reference"));
+  note(to_event({.stage = "reference"}));
   const auto selection = choose();
   if (!selection) return selection.error();
   v1::SelectResponse response;
@@ -57,4 +65,11 @@ Result<grpc::ByteBuffer> SelectCall::work() {
   return wire::to_buffer(response);
 }
 
-}  // namespace gonio
+}  // namespace
+
+ProgressReactor* start_select(const Backend& backend, grpc::CallbackServerContext& context,
+                              const grpc::ByteBuffer& request) {
+  return ProgressCall::start<SelectCall>(backend, context, request);
+}
+
+}  // namespace gonio::server

@@ -5,7 +5,7 @@
 
 #include "gonio/measured/table.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 constexpr std::size_t kSize = MeasuredTable::kFileBytes;
@@ -84,4 +84,4 @@ Outcome Upload::finish() {
                    ErrorCode::data_loss);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -12,7 +12,7 @@
 #include "server/work/memory_budget.h"
 #include "wire/sha256.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class Upload {
  public:
@@ -46,4 +46,4 @@ class Upload {
   std::size_t charged_ = 0;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -5,7 +5,7 @@
 
 #include "gonio/engine/registry.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 using google::protobuf::Struct;
@@ -142,4 +142,4 @@ Result<Material> build_material(const v1::Material& material, std::string_view p
   return Material::from_file(*spec->model, prefix, find_file);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

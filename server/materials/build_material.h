@@ -8,7 +8,7 @@
 #include "gonio/engine/material.h"
 #include "gonio/v1/material.pb.h"
 
-namespace gonio {
+namespace gonio::server {
 
 // Whether its model is one whose parameters name a file.
 bool is_measured(const v1::Material& material);
@@ -22,4 +22,4 @@ Result<Material> build_material(const v1::Material& material, std::string_view p
 // What a model or a sum says, unchecked but for its form. Errors as above.
 Result<MaterialSpec> material_spec(const v1::Material& material, std::string_view prefix);
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-namespace gonio {
+namespace gonio::server {
 
 std::optional<FileState> FileState::of(const std::filesystem::path& path) {
   std::error_code no_time, no_size;
@@ -25,4 +25,4 @@ void LocalFiles::keep(std::string_view bytes, const FileState& state,
   latest_.emplace(Entry{std::string(bytes), state, material});
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

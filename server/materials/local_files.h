@@ -13,7 +13,7 @@
 
 #include "server/materials/prepared_material.h"
 
-namespace gonio {
+namespace gonio::server {
 
 // What of a file tells that it has changed.
 struct FileState {
@@ -43,4 +43,4 @@ class LocalFiles {
   std::optional<Entry> latest_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace gonio {
+namespace gonio::server {
 
 std::optional<PreparedMaterial> MaterialCache::find(std::string_view bytes) {
   const std::lock_guard lock(mutex_);
@@ -26,4 +26,4 @@ void MaterialCache::keep(std::string_view bytes, const PreparedMaterial& materia
   young_.insert_or_assign(std::string(bytes), material);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

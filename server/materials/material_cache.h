@@ -13,7 +13,7 @@
 
 #include "server/materials/prepared_material.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class MaterialCache {
  public:
@@ -38,4 +38,4 @@ class MaterialCache {
                             // becomes the old
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

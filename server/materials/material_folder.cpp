@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 namespace fs = std::filesystem;
@@ -143,4 +143,4 @@ Outcome NewFile::place(const std::string& name) {
   return Ok{};
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -10,7 +10,7 @@
 
 #include "gonio/base/result.h"
 
-namespace gonio {
+namespace gonio::server {
 
 // Whether files can be created in the folder.
 bool can_be_written(const std::filesystem::path& folder);
@@ -59,4 +59,4 @@ class NewFile {
   Descriptor locked_;                // of the file, as long as it is temporary
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -14,7 +14,7 @@
 #include "wire/convert.h"
 #include "wire/material_size.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 namespace fs = std::filesystem;
@@ -252,4 +252,4 @@ const Materials::Stored* Materials::find(std::string_view name) const {
   return found == stored_.end() ? nullptr : &found->second;
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

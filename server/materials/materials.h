@@ -24,7 +24,7 @@
 #include "server/materials/material_cache.h"
 #include "wire/sha256.h"
 
-namespace gonio {
+namespace gonio::server {
 
 // Where a material that a client put is kept.
 enum class PutPlace : std::uint8_t { folder, memory };
@@ -116,4 +116,4 @@ class Materials {
   std::unique_ptr<LocalFiles> local_files_ = std::make_unique<LocalFiles>();
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

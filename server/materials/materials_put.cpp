@@ -7,7 +7,7 @@
 #include "server/materials/material_folder.h"
 #include "server/materials/materials.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 constexpr std::size_t kTableBytes =
@@ -91,4 +91,4 @@ Result<PutResult> Materials::put(const std::string& name, std::string content,
   return result;
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -7,7 +7,7 @@
 #include "engine/material/material_impl.h"
 #include "wire/message.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 template <class From>
@@ -68,4 +68,4 @@ Result<std::shared_ptr<const MeasuredTable>> table_of(const v1::Material& measur
       ErrorCode::not_found);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -11,7 +11,7 @@
 #include "gonio/v1/fit.pb.h"
 #include "server/materials/materials.h"
 
-namespace gonio {
+namespace gonio::server {
 
 // Cheap. Error: "pairs.channels".
 Outcome check_pairs(const v1::MeasuredPairs& pairs);
@@ -27,4 +27,4 @@ Result<fit::Data> data_of(const v1::MeasuredPairs& pairs);
 Result<std::shared_ptr<const MeasuredTable>> table_of(const v1::Material& measured,
                                                       const Materials& materials);
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -1,6 +1,6 @@
 #include "server/materials/prepared_material.h"
 
-namespace gonio {
+namespace gonio::server {
 
 const Sampler& PreparedMaterial::sampler() const {
   std::call_once(lazy_->once, [this] {
@@ -14,4 +14,4 @@ std::size_t PreparedMaterial::bytes() const {
   return material_.bytes() + (has_sampler() ? lazy_->sampler->bytes() : 0);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

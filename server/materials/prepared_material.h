@@ -14,7 +14,7 @@
 #include "gonio/engine/material.h"
 #include "gonio/engine/sampler.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class PreparedMaterial {
  public:
@@ -37,4 +37,4 @@ class PreparedMaterial {
   std::shared_ptr<Lazy> lazy_ = std::make_shared<Lazy>();
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

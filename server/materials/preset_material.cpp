@@ -5,7 +5,7 @@
 
 #include "gonio/engine/registry.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 constexpr std::string_view kSurface = "ggx";
@@ -45,4 +45,4 @@ std::vector<std::string> preset_names() {
   return {names.begin(), names.end()};
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -9,7 +9,7 @@
 
 #include "gonio/v1/material.pb.h"
 
-namespace gonio {
+namespace gonio::server {
 
 // A surface of GGX microfacets of the substance, all else as when it is not given: of a conductor
 // by its complex index, else by its reflectance at normal incidence. None where there is no such
@@ -19,4 +19,4 @@ std::optional<v1::Material> preset_material(std::string_view name);
 // The substances' names, sorted.
 std::vector<std::string> preset_names();
 
-}  // namespace gonio
+}  // namespace gonio::server

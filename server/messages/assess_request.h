@@ -7,7 +7,7 @@
 #include "gonio/base/result.h"
 #include "gonio/v1/assess.pb.h"
 
-namespace gonio {
+namespace gonio::server {
 
 // Parses what has come. Errors: invalid_argument for bytes that are not such a message, and for a
 // material that is too large.
@@ -15,6 +15,7 @@ Result<v1::AssessRequest> decode_assess_request(const grpc::ByteBuffer& buffer);
 
 assess::Options assess_options(const v1::AssessRequest& request);
 
-v1::AssessResponse to_wire(const assess::Report& report);
+// Without the instruction set, which is the call's to add.
+v1::AssessResponse to_wire(const assess::Assessment& assessment);
 
-}  // namespace gonio
+}  // namespace gonio::server

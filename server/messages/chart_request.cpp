@@ -6,8 +6,9 @@
 
 #include "server/materials/measured_pairs.h"
 #include "server/messages/decode_request.h"
+#include "wire/mapping/chart_table.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 chart::Options options_of(const v1::ChartRequest& from) {
@@ -25,29 +26,6 @@ chart::Options options_of(const v1::ChartRequest& from) {
 Error within_request(Error error) {
   if (error.field != "pairs") return error;
   return bad_value("pairs_at_a_place", error.value, error.allowed);
-}
-
-v1::ChartTable table_to_wire(const chart::Table& from) {
-  v1::ChartTable to;
-  to.set_name(from.name);
-  to.set_title(from.title);
-  for (const chart::Column& column : from.columns) {
-    v1::ChartColumn& added = *to.add_columns();
-    added.set_name(column.name);
-    added.set_unit(column.unit);
-    added.set_meaning(column.meaning);
-  }
-  for (const auto& row : from.rows) {
-    v1::ChartRow& added = *to.add_rows();
-    for (const chart::Cell& cell : row) {
-      if (const auto* word = std::get_if<std::string>(&cell)) {
-        added.add_cells()->set_word(*word);
-      } else {
-        added.add_cells()->set_number(std::get<double>(cell));
-      }
-    }
-  }
-  return to;
 }
 
 }  // namespace
@@ -92,17 +70,8 @@ Result<chart::Wanted> chart_wanted(ChartTask& task) {
   return wanted;
 }
 
-v1::ChartResult to_wire(const std::vector<chart::Table>& tables, const chart::Machine& machine) {
-  v1::ChartResult result;
-  v1::ChartMachine& to = *result.mutable_machine();
-  to.set_processor(machine.processor);
-  to.set_cores(machine.cores);
-  for (const std::string& set : machine.instruction_sets) to.add_instruction_sets(set);
-  to.set_gonio(machine.gonio);
-  to.set_compiler(machine.compiler);
-  to.set_system(machine.system);
-  for (const chart::Table& table : tables) *result.add_tables() = table_to_wire(table);
-  return result;
+v1::ChartResult to_wire(std::vector<chart::Table> tables, chart::Machine machine) {
+  return wire::to_message(chart::Chart{std::move(machine), std::move(tables)});
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

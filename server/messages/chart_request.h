@@ -14,7 +14,7 @@
 #include "gonio/v1/chart.pb.h"
 #include "server/materials/materials.h"
 
-namespace gonio {
+namespace gonio::server {
 
 struct ChartTask {
   std::vector<std::string> parts;
@@ -34,6 +34,6 @@ Result<ChartTask> chart_task(v1::ChartRequest request, const Materials& material
 // What is measured; takes the pairs from the task. Errors: arrays whose lengths do not agree.
 Result<chart::Wanted> chart_wanted(ChartTask& task);
 
-v1::ChartResult to_wire(const std::vector<chart::Table>& tables, const chart::Machine& machine);
+v1::ChartResult to_wire(std::vector<chart::Table> tables, chart::Machine machine);
 
-}  // namespace gonio
+}  // namespace gonio::server

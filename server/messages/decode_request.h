@@ -13,7 +13,7 @@
 #include "wire/material_size.h"
 #include "wire/message.h"
 
-namespace gonio {
+namespace gonio::server {
 
 // Parses what has come; `materials` are the numbers of the fields that hold materials. Errors:
 // invalid_argument for bytes that are not such a message, and for materials that are too large:
@@ -44,4 +44,4 @@ void set_if_given(T& option, From given) {
   if (given != From{0}) option = static_cast<T>(given);
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -1,12 +1,11 @@
-// A fit's result on the wire. Thread safety: functions without state.
+// A fit's result on the wire. Thread safety: a function without state.
 #pragma once
 
 #include "fit/fit.h"
 #include "gonio/v1/fit.pb.h"
 
-namespace gonio {
+namespace gonio::server {
 
-v1::FitProgress to_wire(const fit::Progress& progress);
 v1::FitResult to_wire(const fit::FitResult& result);
 
-}  // namespace gonio
+}  // namespace gonio::server

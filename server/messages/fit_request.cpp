@@ -8,7 +8,7 @@
 #include "server/materials/measured_pairs.h"
 #include "server/messages/decode_request.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 Result<fit::Objective> objective_of(v1::FitObjective objective) {
@@ -102,4 +102,4 @@ Result<fit::Data> fit_data(const v1::FitRequest& request, const FitTask& task) {
   return data_of(request.pairs());
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -11,7 +11,7 @@
 #include "gonio/v1/fit.pb.h"
 #include "server/materials/materials.h"
 
-namespace gonio {
+namespace gonio::server {
 
 struct FitTask {
   MaterialSpec form;
@@ -31,4 +31,4 @@ Result<FitTask> fit_task(const v1::FitRequest& request, const Materials& materia
 // `task` must come from the same request. Errors: arrays whose lengths do not agree.
 Result<fit::Data> fit_data(const v1::FitRequest& request, const FitTask& task);
 
-}  // namespace gonio
+}  // namespace gonio::server

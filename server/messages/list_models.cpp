@@ -7,7 +7,7 @@
 #include "gonio/engine/registry.h"
 #include "wire/convert.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 v1::ModelRole to_wire(Role role) {
@@ -79,4 +79,4 @@ Result<v1::ListModelsResponse> list_models(const v1::ListModelsRequest& request,
   return response;
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 google::protobuf::Value value_of(const ParameterValue& parameter) {
@@ -48,4 +48,4 @@ v1::Material to_wire(const MaterialSpec& spec) {
   return material;
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -4,9 +4,20 @@
 
 #include "gonio/engine/material.h"
 #include "gonio/v1/material.pb.h"
+#include "wire/mapping/mapping.h"
 
-namespace gonio {
+namespace gonio::server {
 
 v1::Material to_wire(const MaterialSpec& spec);
 
-}  // namespace gonio
+}  // namespace gonio::server
+
+namespace gonio::wire {
+
+template <>
+struct Mapping<MaterialSpec> {
+  using Message = v1::Material;
+  static void write(const MaterialSpec& from, Message& to) { to = server::to_wire(from); }
+};
+
+}  // namespace gonio::wire

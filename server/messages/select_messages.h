@@ -4,8 +4,8 @@
 #include "gonio/v1/select.pb.h"
 #include "select/select.h"
 
-namespace gonio {
+namespace gonio::server {
 
 v1::SelectResult to_wire(const select::Selection& selection);
 
-}  // namespace gonio
+}  // namespace gonio::server

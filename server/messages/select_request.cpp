@@ -9,7 +9,7 @@
 #include "wire/message.h"
 #include "wire/words.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 static_assert(wire::same_words<select::Metric, v1::SelectMetric>(
@@ -120,4 +120,4 @@ Result<fit::Data> select_data(SelectTask& task) {
   return data;
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

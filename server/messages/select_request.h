@@ -12,7 +12,7 @@
 #include "select/select.h"
 #include "server/materials/materials.h"
 
-namespace gonio {
+namespace gonio::server {
 
 struct SelectTask {
   select::Scene scene;
@@ -32,4 +32,4 @@ Result<SelectTask> select_task(v1::SelectRequest request, const Materials& mater
 // Takes the pairs from the task. Errors: arrays whose lengths do not agree.
 Result<fit::Data> select_data(SelectTask& task);
 
-}  // namespace gonio
+}  // namespace gonio::server

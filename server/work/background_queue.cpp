@@ -2,23 +2,40 @@
 
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <iterator>
 #include <utility>
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 constexpr int kLowestPriority = 19;  // the nice value
+
+// No job ends the thread that it runs on.
+void run_to_its_end(const BackgroundQueue::Job& job) noexcept {
+  std::exception_ptr failure;
+  try {
+    job.run();
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  if (failure && job.failed) job.failed(failure);
+}
 
 }  // namespace
 
 BackgroundQueue::BackgroundQueue(int threads, std::size_t max_jobs, bool lowest)
     : max_jobs_(max_jobs) {
-  for (int i = 0; i < threads; ++i) threads_.emplace_back([this, lowest] { work(lowest); });
+  try {
+    for (int i = 0; i < threads; ++i) threads_.emplace_back([this, lowest] { work(lowest); });
+  } catch (...) {  // no more threads or memory: those that run must not outlive the queue
+    close();
+    throw;
+  }
 }
 
-BackgroundQueue::~BackgroundQueue() {
+BackgroundQueue::~BackgroundQueue() { close(); }
+
+void BackgroundQueue::close() {
   {
     const std::lock_guard lock(mutex_);
     stopping_ = true;
@@ -28,44 +45,47 @@ BackgroundQueue::~BackgroundQueue() {
 }
 
 bool BackgroundQueue::submit(Job job) {
+  std::list<Job> entry;
+  entry.push_back(std::move(job));
   {
     const std::lock_guard lock(mutex_);
     if (running_ + waiting_.size() >= max_jobs_) return false;
-    waiting_.push_back(std::move(job));
+    waiting_.splice(waiting_.end(), entry);
   }
   changed_.notify_one();
   return true;
 }
 
 void BackgroundQueue::drop_over() {
-  std::deque<Job> over;
+  std::list<Job> over;
   {
     const std::lock_guard lock(mutex_);
-    const auto first = std::stable_partition(waiting_.begin(), waiting_.end(),
-                                             [](const Job& job) { return !job.is_over(); });
-    std::move(first, waiting_.end(), std::back_inserter(over));
-    waiting_.erase(first, waiting_.end());
+    for (auto job = waiting_.begin(); job != waiting_.end();) {
+      const auto next = std::next(job);
+      if (job->is_over()) over.splice(over.end(), waiting_, job);
+      job = next;
+    }
   }
-  for (const Job& job : over) job.run();
+  for (const Job& job : over) run_to_its_end(job);
 }
 
 void BackgroundQueue::work(bool lowest) {
-  // Of this thread alone, as Linux has it. Where it is refused, fits only share more.
+  // Linux sets the priority of the calling thread alone. Where it is refused, fits only share more.
   if (lowest) setpriority(PRIO_PROCESS, 0, kLowestPriority);
   std::unique_lock lock(mutex_);
   for (;;) {
     changed_.wait(lock, [this] { return stopping_ || !waiting_.empty(); });
     if (waiting_.empty()) return;
     {
-      const Job job = std::move(waiting_.front());
-      waiting_.pop_front();
+      std::list<Job> taken;
+      taken.splice(taken.end(), waiting_, waiting_.begin());
       ++running_;
       lock.unlock();
-      job.run();
+      run_to_its_end(taken.front());
     }
     lock.lock();
     --running_;
   }
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

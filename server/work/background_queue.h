@@ -7,19 +7,22 @@
 
 #include <condition_variable>
 #include <cstddef>
-#include <deque>
+#include <exception>
 #include <functional>
+#include <list>
 #include <mutex>
 #include <thread>
 #include <vector>
 
-namespace gonio {
+namespace gonio::server {
 
 class BackgroundQueue {
  public:
   struct Job {
     std::function<void()> run;      // called exactly once, if the job was taken
     std::function<bool()> is_over;  // nobody waits for it any more: run() then costs nothing
+    // Called where run() throws, on the same thread, which then goes on. Must not throw.
+    std::function<void(const std::exception_ptr& failure)> failed = {};
   };
 
   // At most `max_jobs` wait or run at a time. `lowest`: at the lowest priority.
@@ -41,14 +44,15 @@ class BackgroundQueue {
 
  private:
   void work(bool lowest);
+  void close();
 
   const std::size_t max_jobs_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Job> waiting_;
+  std::list<Job> waiting_;  // entries move between lists, which needs no memory
   std::size_t running_ = 0;
   bool stopping_ = false;
   std::vector<std::thread> threads_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

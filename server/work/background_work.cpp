@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/calls/failure.h"
 #include "wire/status.h"
 
-namespace gonio {
+namespace gonio::server {
 
 BackgroundWork::BackgroundWork(const Backend& backend, grpc::CallbackServerContext& context,
                                const char* method, const char* work)
@@ -17,10 +18,14 @@ BackgroundWork::BackgroundWork(const Backend& backend, grpc::CallbackServerConte
       state_(std::min(context.deadline(), std::chrono::system_clock::now() + backend.fits.longest)),
       access_(method, "pairs", context, backend.logger) {}
 
-Outcome BackgroundWork::submit(std::size_t bytes, std::function<void()> run) {
+Outcome BackgroundWork::submit(std::size_t bytes, std::function<void()> run,
+                               std::function<void(grpc::Status)> failed) {
   charge_ = backend_.memory.take(bytes);
-  if (charge_ && backend_.fits.queue.submit({std::move(run), [this] { return is_over(); }}))
-    return Ok{};
+  BackgroundQueue::Job job{std::move(run), [this] { return is_over(); },
+                           [this, failed = std::move(failed)](const std::exception_ptr& failure) {
+                             failed(status_of(failure));
+                           }};
+  if (charge_ && backend_.fits.queue.submit(std::move(job))) return Ok{};
   const std::string full =
       charge_
           ? "queue of fits, assessments, selections and charts is full: it takes " +
@@ -62,9 +67,13 @@ void BackgroundWork::cancel() {
   backend_.fits.queue.drop_over();
 }
 
-void BackgroundWork::ended(const grpc::Status& status) {
-  access_.failed = status.ok() ? 0 : 1;
-  access_.write(backend_.logger, status.ok() ? "OK" : status.error_message());
+grpc::Status BackgroundWork::status_of(const std::exception_ptr& failure) const noexcept {
+  return status_of_failure(access_.method, failure, backend_.logger);
 }
 
-}  // namespace gonio
+void BackgroundWork::ended(const grpc::Status& status) noexcept {
+  access_.failed = status.ok() ? 0 : 1;
+  access_.write(backend_.logger, status);
+}
+
+}  // namespace gonio::server

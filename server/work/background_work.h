@@ -6,12 +6,13 @@
 
 #include <grpcpp/support/status.h>
 
+#include <exception>
 #include <functional>
 #include <string>
 
 #include "server/calls/call.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class BackgroundWork {
  public:
@@ -20,8 +21,13 @@ class BackgroundWork {
                  const char* work);
 
   // Charges the memory and queues `run`, which is then called exactly once on a thread that no
-  // evaluation waits for. Errors: the queue or the memory is full, with when to come again.
-  Outcome submit(std::size_t bytes, std::function<void()> run);
+  // evaluation waits for. Where it throws, `failed` is called with the status that ends the call;
+  // it must not throw. Errors: the queue or the memory is full, with when to come again.
+  Outcome submit(std::size_t bytes, std::function<void()> run,
+                 std::function<void(grpc::Status)> failed);
+
+  // What ends a call whose work throws `failure`; writes a line of the log.
+  [[nodiscard]] grpc::Status status_of(const std::exception_ptr& failure) const noexcept;
 
   // What a job asks again and again; evaluations get on meanwhile.
   [[nodiscard]] bool should_stop() const;
@@ -33,7 +39,8 @@ class BackgroundWork {
 
   void cancel();                            // by the client
   void stop_writing() { state_.cancel(); }  // nobody reads any more
-  void ended(const grpc::Status& status);   // once; writes the line of the log
+  // Once; writes the line of the log.
+  void ended(const grpc::Status& status) noexcept;
   [[nodiscard]] const CallState* state() const { return &state_; }
   AccessLine& access() { return access_; }
   [[nodiscard]] const Backend& backend() const { return backend_; }
@@ -47,4 +54,4 @@ class BackgroundWork {
   MemoryBudget::Charge charge_;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 constexpr std::chrono::milliseconds kMoment{100}, kStep{5};
@@ -32,4 +32,4 @@ void CallsUnderWay::hurry() {
   hurried_.notify_all();
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

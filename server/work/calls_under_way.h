@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <mutex>
 
-namespace gonio {
+namespace gonio::server {
 
 class CallsUnderWay {
  public:
@@ -38,4 +38,4 @@ class CallsUnderWay {
   bool hurry_ = false;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

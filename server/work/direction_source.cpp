@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 using Kind = wire::Request::Kind;
@@ -121,4 +121,4 @@ Result<DirectionSource> DirectionSource::create(const wire::Request& request, Pr
   return source;
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

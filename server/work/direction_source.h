@@ -13,7 +13,7 @@
 #include "gonio/engine/isa.h"
 #include "wire/codec.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class DirectionSource {
  public:
@@ -48,4 +48,4 @@ class DirectionSource {
   bool is_f64_ = false;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -7,7 +7,7 @@
 #include "server/calls/answer_buffer.h"
 #include "server/work/tile_scratch.h"
 
-namespace gonio {
+namespace gonio::server {
 
 Result<std::shared_ptr<Evaluation>> Evaluation::prepare(const Request& request,
                                                         PreparedMaterial material,
@@ -86,4 +86,4 @@ wire::ResponseParts Evaluation::take_answer() {
   return answer;
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -10,7 +10,7 @@
 #include "server/work/work.h"
 #include "wire/codec.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class Evaluation final : public Work {
  public:
@@ -47,4 +47,4 @@ class Evaluation final : public Work {
   std::uint8_t* flag_data_ = nullptr;
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -5,7 +5,7 @@
 
 #include "wire/convert.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 // Numbers of samples stay below this, so that sums of two of them do not overflow.
@@ -79,4 +79,4 @@ template Result<IncidentSource> IncidentSource::create(const wire::SampleRequest
 template Result<IncidentSource> IncidentSource::create(const wire::IntegrateRequest&, Precision,
                                                        std::uint64_t);
 
-}  // namespace gonio
+}  // namespace gonio::server

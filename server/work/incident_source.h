@@ -13,7 +13,7 @@
 #include "gonio/engine/random_numbers.h"
 #include "wire/codec.h"
 
-namespace gonio {
+namespace gonio::server {
 
 // An array of numbers in a request.
 class NumberArray {
@@ -52,4 +52,4 @@ struct IncidentSource {
   [[nodiscard]] std::uint64_t samples() const { return directions() * per_wi; }
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

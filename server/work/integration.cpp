@@ -8,7 +8,7 @@
 
 #include "engine/material/hole_share.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 // What an integration has no use for goes here.
@@ -146,4 +146,4 @@ v1::IntegrateResponse Integration::take_answer() const {
   return answer;
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

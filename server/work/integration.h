@@ -15,7 +15,7 @@
 #include "server/work/work.h"
 #include "wire/codec.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class Integration final : public Work {
  public:
@@ -61,4 +61,4 @@ class Integration final : public Work {
   std::vector<Moments> moments_;  // of each block, all channels
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

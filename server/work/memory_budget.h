@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <memory>
 
-namespace gonio {
+namespace gonio::server {
 
 class MemoryBudget {
  public:
@@ -38,4 +38,4 @@ class MemoryBudget {
   std::atomic<std::size_t> held_{0};
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

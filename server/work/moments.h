@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace gonio {
+namespace gonio::server {
 
 struct Moments {
   double mean = 0;
@@ -34,4 +34,4 @@ struct Moments {
   }
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -7,7 +7,7 @@
 #include "server/calls/answer_buffer.h"
 #include "server/work/tile_scratch.h"
 
-namespace gonio {
+namespace gonio::server {
 
 Result<std::shared_ptr<Sampling>> Sampling::prepare(const Request& request,
                                                     PreparedMaterial material,
@@ -133,4 +133,4 @@ wire::SampleResponseParts Sampling::take_answer() {
   return answer;
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

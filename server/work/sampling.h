@@ -12,7 +12,7 @@
 #include "server/work/work.h"
 #include "wire/codec.h"
 
-namespace gonio {
+namespace gonio::server {
 
 class Sampling final : public Work {
  public:
@@ -50,4 +50,4 @@ class Sampling final : public Work {
   std::atomic<std::uint64_t> lost_{0};
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

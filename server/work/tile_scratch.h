@@ -6,7 +6,7 @@
 
 #include "gonio/engine/evaluate.h"
 
-namespace gonio {
+namespace gonio::server {
 
 template <class T>
 struct TileScratch {
@@ -19,4 +19,4 @@ struct TileScratch {
   }
 };
 
-}  // namespace gonio
+}  // namespace gonio::server

@@ -2,20 +2,22 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "base/text/join.h"
 #include "wire/convert.h"
 
-namespace gonio {
+namespace gonio::server {
 
 Result<Isa> choose_isa(v1::InstructionSet asked) {
   if (asked == v1::INSTRUCTION_SET_UNSPECIFIED) return best_isa();
   const auto isa = wire::from_wire(asked);
   if (!isa || is_supported(*isa)) return isa;
-  std::string supported;
-  for (Isa one : supported_isas())
-    supported += (supported.empty() ? "" : ", ") + std::string(name_of(one));
+  std::vector<std::string_view> supported;
+  for (const Isa one : supported_isas()) supported.push_back(name_of(one));
   return bad_value("instruction_set", std::string(name_of(*isa)),
-                   "what this server's processor has: " + supported);
+                   "what this server's processor has: " + joined(supported));
 }
 
 template <class Head>
@@ -56,4 +58,4 @@ void Work::write(v1::Report& report) const {
   *report.mutable_error_bound() = wire::to_wire(material().error_bound(settings_.precision));
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

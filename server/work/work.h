@@ -17,7 +17,7 @@
 #include "server/materials/prepared_material.h"
 #include "server/work/memory_budget.h"
 
-namespace gonio {
+namespace gonio::server {
 
 // Room for everything in an answer that is not in its arrays: numbers, the error bound's note, tags
 // and lengths.
@@ -105,4 +105,4 @@ void Work::run_timed(const Body& body) {
   any_flags_ |= flags;
 }
 
-}  // namespace gonio
+}  // namespace gonio::server

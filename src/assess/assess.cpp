@@ -12,7 +12,7 @@
 namespace gonio::assess {
 namespace {
 
-// Of this thread.
+// CPU time of the calling thread, in seconds.
 double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -28,7 +28,7 @@ Result<Report> assess(const Subject& subject, const Options& options,
   const auto is_over = [&stop] { return stop && stop(); };
   Report report;
   report.channels = subject.channels;
-  report.fast = subject.fast, report.reference = subject.reference;
+  report.fast = stated(subject.fast), report.reference = stated(subject.reference);
   for (std::size_t place = 0; place < places().size() && !is_over(); ++place) {
     auto found = look_at(place, subject, options.pairs, options.seed, stop);
     if (found) report.places.push_back(*found);

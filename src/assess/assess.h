@@ -1,6 +1,6 @@
-// Where does a material fail? Its values at the places where methods are known to fail, held
-// against truth, and beside what naive arithmetic gives there; its energy and its samples by
-// incidence; and a verdict by limits of the caller's.
+// Shows where a material fails: the errors of its values at the places where methods are known to
+// fail, beside those of naive arithmetic; its energy and its samples by incidence; and a verdict by
+// the caller's limits.
 //
 // Some tenths of a second to a few seconds of one thread. Thread safety: a function without state.
 #pragma once
@@ -17,20 +17,19 @@
 
 namespace gonio::assess {
 
-// How often a good material may fail for the choice of its samples alone: the limits of the checks
-// of samples, where they are not given, share this among all that is looked at (each incidence,
-// each channel).
+// The probability that a good material fails by the random choice of its samples. The default
+// limits of the checks of samples share it among all incidences and channels.
 inline constexpr double kFalseAlarms = 1e-3;
 
 // A table's cells are up to 2 degrees of theta_h and 1 of theta_d wide: nearer to the horizon than
-// both together each lookup is among cells that the horizon cuts, and between the centres of those
-// above it values are carried on that grow as 1 / cos. An albedo there is interpolation's.
+// both together, each lookup uses cells that the horizon cuts, and interpolates values that grow as
+// 1 / cos. An albedo there is an artefact of the interpolation.
 inline constexpr double kUncut = 87;
 
-// What is still allowed. No value is ever allowed to be NaN, infinite or negative, nor light where
-// there is none.
+// The limits of the checks. Values that are NaN, infinite or negative, and light where there should
+// be none, always fail.
 struct Limits {
-  // Relative errors of the precisions; if not given, the bounds that the material states.
+  // Relative errors of the two precisions; if not given, the bounds that the material states.
   std::optional<double> error, reference_error;
   std::optional<double> reciprocity;  // if not given, twice the bound of Precision::fast
   // Albedo above 1; if not given, 1e-3, of a table for light within kUncut degrees of the normal.
@@ -38,14 +37,16 @@ struct Limits {
   double loss = 1;                     // albedo below 1; 1: any
   double mass = 5e-3;                  // |integral of the pdf + lost mass - 1|
   std::optional<double> weight_error;  // if not given, the bound of Precision::fast and 4 roundings
-  std::optional<double> probability;   // the least of chi-square; if not given, by kFalseAlarms
-  std::optional<double> deviation;     // Incidence::deviation; if not given, by kFalseAlarms
+  std::optional<double> probability;   // the least probability of the samples by chi-square; if not
+                                       // given, from kFalseAlarms
+  std::optional<double>
+      deviation;  // the largest Incidence::deviation; if not given, from kFalseAlarms
   // Of a table's cells (measured/merl/review.h).
   double missing = 0.1;         // share without a measurement
-  double missing_region = 0.5;  // the same of the worst range of an angle
-  double zeros = 0.5;           // share that holds 0, of the worst channel
-  double holes = 1e-3;          // share of masked ones
-  double outlier = 100;         // times as bright as what is about them
+  double missing_region = 0.5;  // the same in the worst range of an angle
+  double zeros = 0.5;           // share of cells that hold 0, in the worst channel
+  double holes = 1e-3;          // share of masked cells
+  double outlier = 100;         // times as bright as the neighbouring cells
   double extreme = 1e5;         // f cos(theta_i) cos(theta_o), 1/sr
 };
 
@@ -56,15 +57,15 @@ struct Options {
 };
 inline constexpr std::size_t kMostPairs = 1'000'000;
 
-// Errors: options out of bounds, by field ("limits.gain"); cancelled, as soon as `stop`, asked some
-// hundred times a second, says so.
+// Errors: options out of bounds, by field ("limits.gain"); cancelled, as soon as `stop`, which is
+// called some hundred times a second, returns true.
 Result<Report> assess(const Sampler& sampler, const Options& options, Isa isa,
                       const std::function<bool()>& stop = {});
-// The same of a material as a test may have broken it.
+// The same for a subject, in which a test may have planted a fault.
 Result<Report> assess(const Subject& subject, const Options& options,
                       const std::function<bool()>& stop = {});
 
-// Memory that an assessment holds, about.
+// The approximate memory that an assessment holds, in bytes.
 std::size_t memory_of(int channels, const Options& options);
 
 }  // namespace gonio::assess

@@ -27,8 +27,8 @@ inline double upper_gamma(double a, double x) {
   return scale * fraction;
 }
 
-// The probability of counts at least as far from those expected. Those expected of fewer than 5 are
-// taken together.
+// The probability of counts at least as far from those expected. Bins with an expected count below
+// 5 are merged.
 inline double chi_square_probability(const std::vector<double>& expected,
                                      const std::vector<double>& observed) {
   double sum = 0, few_expected = 0, few_observed = 0;
@@ -44,7 +44,8 @@ inline double chi_square_probability(const std::vector<double>& expected,
       few_expected += expected[i], few_observed += observed[i];
     }
   }
-  // What is drawn where next to nothing is expected counts as if a little were.
+  // The merged bins have an expected count of at least 1, so that draws where almost none are
+  // expected have a finite weight.
   if (few_observed > 0 || few_expected >= 5) add(std::fmax(few_expected, 1), few_observed);
   if (bins < 2) return 1;
   return sum > 0 ? upper_gamma((static_cast<double>(bins) - 1) / 2, sum / 2) : 1;

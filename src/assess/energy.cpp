@@ -13,9 +13,10 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr std::array<double, 9> kThetas{0, 15, 30, 45, 60, 75, 85, 89, 89.9};
 constexpr std::size_t kRegular = 1 << 17;  // of a regular sequence, for the lost mass
-constexpr double kTableCell = 1. / 1024;   // of the mass, that a cell of the subdivision may hold
+constexpr double kTableCell =
+    1. / 1024;  // the largest share of a table's mass in a cell of the subdivision
 constexpr double kBins = 96;
-constexpr double kCap = 16;  // times the albedo: larger weights count as this much
+constexpr double kCap = 16;  // times the albedo: larger weights count as this
 
 // A quarter of a turn, which changes no bit of a component.
 std::vector<Pair> turned(std::vector<Pair> pairs) {
@@ -54,7 +55,7 @@ std::vector<double> columns_of(const Subject& subject, const Direction& wi,
   return columns;
 }
 
-// The part of samples below the horizon, by a regular sequence if any is.
+// The share of samples below the horizon, estimated with a regular sequence if there are any.
 double lost_mass(const Subject& subject, const Direction& wi) {
   const auto lost = [&](std::size_t count, Sequence sequence) {
     const Drawn drawn = subject.draw(wi, count, {sequence, 1}, Precision::reference);
@@ -111,7 +112,7 @@ std::vector<Angles> incidences_of(const Subject& subject, std::uint64_t seed) {
 Energy integrate_from(const Angles& angles, const Subject& subject,
                       const std::function<bool()>& stop) {
   const auto channels = static_cast<std::size_t>(subject.channels);
-  // In float32, so that every precision is given the same; its length is put right by each.
+  // In float32, so that both precisions get the same direction; each normalises it.
   const double sine = std::sin(angles.theta);
   const Direction given =
       rounded({{{sine * std::cos(angles.phi), sine * std::sin(angles.phi), std::cos(angles.theta)},

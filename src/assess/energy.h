@@ -10,8 +10,8 @@
 
 namespace gonio::assess {
 
-// Where incidences are looked at, in radians: from the normal to 89.9 degrees; along v, too, where
-// the material is anisotropic.
+// The directions of incidence that are examined, in radians: from the normal to 89.9 degrees, for
+// anisotropic materials also along v.
 struct Angles {
   double theta, phi;
 };
@@ -26,12 +26,12 @@ struct Energy {
   double mass = 0, lost = 0, unsure = 0;  // as in Incidence
   std::vector<double> albedo = {};        // of each channel
   std::vector<double> change = {};        // of the albedo, as Subdivision::change
-  // The mean and the variance of weights with those above `cap` taken as that: however heavy the
-  // tail, a mean of samples is then within known bounds.
+  // The mean and the variance of weights, where those above `cap` count as `cap`. A mean of samples
+  // is then within known bounds, however heavy the tail is.
   std::vector<double> cap = {}, capped = {}, variance = {};
 };
 
-// Once `stop` says so the numbers are without meaning: whoever asks must ask it again.
+// After `stop` returned true, which the caller must check, the numbers have no meaning.
 Energy integrate_from(const Angles& angles, const Subject& subject,
                       const std::function<bool()>& stop);
 

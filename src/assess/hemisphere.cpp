@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kTolerance = 1e-6;  // of a cell, relative to the whole integral
-// Of few columns; many columns, fewer cells.
+// For few columns; for many columns there are fewer cells.
 constexpr std::size_t kMostCells = 60'000, kMostNumbers = 600'000;
 
 constexpr std::size_t kNodes = 5;
@@ -19,7 +19,7 @@ constexpr std::array<double, kNodes> kWeight{0.1184634425280945, 0.2393143352496
                                              0.2844444444444444, 0.2393143352496832,
                                              0.1184634425280945};
 
-// Ascending, those that all but coincide once.
+// Sorted, without numbers that almost coincide.
 void tidy(std::vector<double>& edges) {
   std::ranges::sort(edges);
   const auto near = [](double a, double b) { return b - a < 1e-9; };
@@ -97,7 +97,7 @@ void Subdivision::append_nodes(const Cell& cell, std::vector<double>& wo,
   }
 }
 
-// A few cells at a time, or the values of many channels would take a gigabyte.
+// A few cells at a time: the values of many channels would otherwise take a gigabyte.
 std::vector<double> Subdivision::integrate(const std::vector<Cell>& cells, std::size_t given,
                                            const Integrands& integrands) const {
   constexpr std::size_t kRun = 64, kSquare = kNodes * kNodes;
@@ -154,7 +154,8 @@ void Subdivision::refine(const Integrands& integrands) {
   }
 }
 
-// Takes the better values of a cell's halves, and halves it if they differ from its own too much.
+// Replaces a cell's values by the more accurate ones of its halves, and splits it if the two differ
+// too much.
 void Subdivision::settle(std::size_t cell, const std::vector<double>& halves,
                          std::vector<std::size_t>& next) {
   double by_u = 0, by_t = 0;

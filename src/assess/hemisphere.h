@@ -16,9 +16,9 @@
 #include <functional>
 #include <vector>
 
-namespace gonio::assess {
+#include "numeric/direction.h"
 
-using Direction = std::array<double, 3>;
+namespace gonio::assess {
 
 // A fixed number of columns for each of the directions (interleaved): the density, then others.
 using Integrands = std::function<std::vector<double>(const std::vector<double>& wo)>;
@@ -31,22 +31,22 @@ struct Bin {
 class Subdivision {
  public:
   // `tangents`: the azimuth of the material's u, in radians. No cell holds more than `largest` of
-  // the density's mass. Of a density with many small jumps, as a table's, the rule sees only those
-  // that fall between its nodes: it needs small cells.
+  // the density's mass. A density with many small jumps, such as a table's, needs small cells,
+  // because the rule notices only jumps between its nodes.
   Subdivision(const Direction& wi, std::size_t columns, const Integrands& integrands,
               double tangents = 0, double largest = 1. / 64);
 
   [[nodiscard]] double integral(std::size_t column) const { return totals_[column]; }
   [[nodiscard]] double solid_angle() const { return totals_.back(); }
-  // How much the last halvings changed the integral, all changes taken as positive.
+  // The sum of the absolute changes of the integral in the last halvings.
   [[nodiscard]] double change(std::size_t column) const { return changes_[column]; }
   // The integrals of other columns, by the same cells.
   [[nodiscard]] std::vector<double> integrals(std::size_t columns,
                                               const Integrands& integrands) const;
 
-  // Neighbouring cells together, each bin with at least `least` of the density's mass.
+  // Merges neighbouring cells to bins, each with at least `least` of the density's mass.
   [[nodiscard]] std::vector<Bin> bins(double least);
-  // Of the last call of bins.
+  // The bin of each cell, after bins().
   [[nodiscard]] std::size_t bin_of(const Direction& wo) const;
 
  private:

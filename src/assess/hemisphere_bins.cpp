@@ -1,4 +1,4 @@
-// What else is made of a subdivision's cells: bins, and integrals of other columns.
+// Bins of a subdivision's cells, and integrals of other columns over them.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -34,7 +34,7 @@ std::vector<Bin> Subdivision::bins(double least) {
   std::vector<Bin> bins(1);
   const std::size_t first = (u_edges_.size() - 1) * (t_edges_.size() - 1);
   for (std::size_t i = 0; i < first; ++i) gather(i, least, bins);
-  // What is left at the end is too little for a bin of its own; the cells know it by its number.
+  // The rest at the end is too little for a bin of its own and is added to the last bin.
   if (bins.size() > 1 && bins.back().mass < least) {
     Bin& last = bins[bins.size() - 2];
     last.mass += bins.back().mass, last.solid_angle += bins.back().solid_angle;

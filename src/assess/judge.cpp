@@ -6,8 +6,8 @@
 namespace gonio::assess {
 namespace {
 
-// What four roundings of the parameters move f by, relative to its scale, where that is more than
-// roundings in proportion.
+// The change of f by four roundings of its parameters, relative to its scale, where it exceeds that
+// of a product.
 std::vector<double> unsure_of(const Subject& subject, std::span<const Pair> pairs,
                               const Truths& truths, double rounding) {
   if (subject.roundings.empty()) return {};
@@ -29,7 +29,7 @@ std::vector<double> unsure_of(const Subject& subject, std::span<const Pair> pair
   return unsure;
 }
 
-// Whether the bounds speak of a pair: not nearer to the horizon than they reach.
+// Whether the bounds apply to a pair: it is far enough from the horizon.
 bool is_within(const Pair& pair, const ErrorBound& bound) {
   const double least = std::min(pair.wi[2], pair.wo[2]);
   return least <= 0 || least > 1.001 * bound.cosine;
@@ -94,10 +94,11 @@ void Judge::judge_reciprocity(std::span<const double> values, std::span<const do
     const bool speaks = truths_.scale[i] > 10 * bound_.above && larger < largest_ &&
                         is_within(pairs_[i / channels], bound_);
     if (!speaks || !(larger > 0)) continue;
-    // Of a table, as its bounds are: relative to its cells.
+    // Relative to the cells of a table, as its bounds are.
     const double size = std::max(larger, static_cast<double>(truths_.scale[i]));
     const double error = std::abs(values[i] - exchanged[i]) / size - 2 * unsure(i);
-    keep_worse(worst, {error, pairs_[i / channels], static_cast<int>(i % channels), values[i],
+    const Pair& pair = pairs_[i / channels];
+    keep_worse(worst, {error, pair.wi, pair.wo, static_cast<unsigned>(i % channels), values[i],
                        exchanged[i]});
   }
 }
@@ -108,11 +109,13 @@ void Judge::compare(double value, std::size_t i, std::size_t channels, Findings&
     findings.stray += value > 1.001 * bound_.above ? 1 : 0;
     return;
   }
-  if (!(scale < largest_)) return;  // beyond the number type, or NaN: not known
+  if (!(scale < largest_)) return;  // beyond the number type, or NaN: truth is not known
   ++findings.checked;
   const auto error = static_cast<double>(std::abs(value - truth) / scale);
-  keep_worse(findings.worst, {std::max(0.0, error - unsure(i)), pairs_[i / channels],
-                              static_cast<int>(i % channels), value, static_cast<double>(truth)});
+  const Pair& pair = pairs_[i / channels];
+  keep_worse(findings.worst,
+             {std::max(0.0, error - unsure(i)), pair.wi, pair.wo,
+              static_cast<unsigned>(i % channels), value, static_cast<double>(truth)});
 }
 
 }  // namespace gonio::assess

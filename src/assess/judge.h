@@ -1,4 +1,5 @@
-// Values against truth: for accuracy.cpp. Thread safety: plain values, functions without state.
+// Compares values with truth. Internal to accuracy.cpp. Thread safety: plain values, functions
+// without state.
 #pragma once
 
 #include <cstddef>
@@ -14,12 +15,13 @@ namespace gonio::assess {
 // Truth of pairs, pair by pair, channel by channel.
 struct Truths {
   std::vector<long double> f, scale;
-  std::vector<double> unsure;  // of a relative error, not the material's part; empty: nothing
+  std::vector<double>
+      unsure;  // the part of a relative error that is not the material's fault; empty: none
 };
 
 Truths truths_of(const Subject& subject, std::span<const Pair> pairs, Precision precision);
 
-// Values of one precision against truth. What it is made of must live as long.
+// Compares values of one precision with truth. Its arguments must outlive it.
 class Judge {
  public:
   Judge(std::span<const Pair> pairs, const Truths& truths, const ErrorBound& bound, double largest)
@@ -28,7 +30,7 @@ class Judge {
   void judge(std::span<const double> values, Findings& findings) const;
   // Adds all errors to a list.
   void list(std::span<const double> values, ErrorList& errors) const;
-  // Against the values of the exchanged directions.
+  // Compares with the values of the exchanged directions.
   void judge_reciprocity(std::span<const double> values, std::span<const double> exchanged,
                          Worst& worst) const;
 

@@ -1,19 +1,20 @@
-// The models as a loop of one's own has them: scalar, straight from the page, in the caller's type
-// T, fed directions as they come. The formulas are right; their arithmetic has the errors that the
-// kernels avoid, on purpose: it is what they are compared with, for speed and for accuracy.
+// The models as a hand-written loop has them: scalar, as the papers print them, in the caller's
+// type T, with directions as given. The formulas are right. Their arithmetic has, on purpose, the
+// errors that the kernels avoid: the kernels are compared with it for speed and accuracy.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 namespace gonio::assess {
 
 template <class T>
 struct Naive {
   using V = std::array<T, 3>;
-  static constexpr T kPi = T(3.14159265358979323846);
+  static constexpr T kPi = T(std::numbers::pi);
 
   static T dot(const V& a, const V& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
   static V half(const V& a, const V& b) {
@@ -46,7 +47,7 @@ struct Naive {
     return std::sqrt((nu + 1) * (nv + 1)) / (8 * kPi) * std::pow(h[2], e) /
            (hk * std::max(wi[2], wo[2]));
   }
-  // Of rd (1 - rs).
+  // The factor of rd (1 - rs).
   static T ashikhmin_shirley_diffuse(T cos_i, T cos_o) {
     return 28 / (23 * kPi) * (1 - std::pow(1 - cos_i / 2, T(5))) *
            (1 - std::pow(1 - cos_o / 2, T(5)));

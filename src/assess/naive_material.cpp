@@ -10,7 +10,7 @@
 namespace gonio::assess {
 namespace {
 
-// What lobes take of a pair.
+// The quantities of a pair that lobes use.
 template <class T>
 struct Pair {
   const std::array<T, 3>&wi, &wo;
@@ -96,7 +96,7 @@ T ward(const Pair<T>& w, const Numbers<T>& p) {
 template <class T>
 using Form = T (*)(const Pair<T>&, const Numbers<T>&);
 
-// The models with such a form; one that is not here is assessed without.
+// The models with a naive form. Others are assessed without one.
 template <class T>
 Form<T> form_of(std::string_view model) {
   struct Named {
@@ -138,7 +138,7 @@ std::optional<NaiveMaterial<T>> NaiveMaterial<T>::of(const Material& material) {
   return naive;
 }
 
-// From the material's tangents, as one would write it.
+// In the frame of the material's tangents.
 template <class T>
 typename NaiveMaterial<T>::Direction NaiveMaterial<T>::seen(const Direction& w) const {
   if (sin_ == 0 && cos_ == 1) return w;

@@ -16,10 +16,10 @@ class NaiveMaterial {
  public:
   using Direction = std::array<T, 3>;
 
-  // None for a material with a part of which no such form is known: a table.
+  // None for a material with a part that has no naive form, such as a table.
   static std::optional<NaiveMaterial> of(const Material& material);
 
-  // f of every channel, whatever comes out.
+  // f of every channel, unchecked: also NaN and infinity.
   void evaluate(const Direction& wi, const Direction& wo, std::span<T> f) const;
 
  private:

@@ -1,5 +1,5 @@
-// A pair of directions at each place of the catalogue, at random. Internal to places.cpp, which
-// says what is special about each. Thread safety: one Random a thread.
+// A random pair of directions for each place of the catalogue. Internal to places.cpp, which
+// describes the places. Thread safety: one Random a thread.
 #pragma once
 
 #include <algorithm>
@@ -124,7 +124,7 @@ inline Pair off_unit(Random& random) {
   return pair;
 }
 
-// At the angle from which on a dielectric of index eta < 1 reflects all.
+// At the critical angle, beyond which a dielectric of index eta < 1 reflects all light.
 inline Pair critical_angle(Random& random, double eta) {
   const double critical = std::sqrt(1 - eta * eta), off = random.logarithmic(1e-8, 0.1);
   const double c = std::clamp(critical + (random.chance(0.5) ? off : -off), 0.0, 1.0);

@@ -12,7 +12,7 @@ namespace {
 struct Entry {
   Place place;
   Pair (*pair)(Random&);  // null: the critical angle, of which a material may have several
-  bool above = true;      // the horizon, both directions
+  bool above = true;      // both directions are above the horizon
 };
 
 bool is_above(const Pair& pair) { return pair.wi[2] > 0 && pair.wo[2] > 0; }
@@ -84,7 +84,7 @@ std::vector<Pair> pairs_at(std::size_t place, const Subject& subject, std::size_
   pairs.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     Pair pair = draw(i);
-    // A lobe's other half would say nothing of the place.
+    // Directions in the lobe's other half are not at the place.
     for (int again = 0; entry.above && again < 64 && !is_above(pair); ++again) pair = draw(i);
     pairs.push_back(pair);
   }

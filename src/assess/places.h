@@ -22,11 +22,11 @@ struct Place {
 std::span<const Place> places();
 
 // About `count` pairs at a place, in float64, the same for the same seed; none where the material
-// has no such place. `place` counts those of places().
+// has no such place. `place` is an index of places().
 std::vector<Pair> pairs_at(std::size_t place, const Subject& subject, std::size_t count,
                            std::uint64_t seed);
 
-// The same to float32.
+// The same, rounded to float32.
 std::vector<Pair> rounded(std::vector<Pair> pairs);
 
 }  // namespace gonio::assess

@@ -9,13 +9,13 @@
 #include <random>
 
 #include "assess/subject.h"
+#include "numeric/direction.h"
 
 namespace gonio::assess {
 
-using Direction = std::array<double, 3>;
 inline constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
 
-// Numbers that are the same with every standard library.
+// Random numbers that are the same with every standard library.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -23,7 +23,7 @@ class Random {
   double uniform(double low, double high) {
     return low + (high - low) * static_cast<double>(engine_() >> 11U) * 0x1p-53;
   }
-  // Every order of magnitude alike.
+  // Uniform in the logarithm.
   double logarithmic(double low, double high) {
     return std::exp(uniform(std::log(low), std::log(high)));
   }
@@ -36,9 +36,6 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-inline Direction spherical(double theta, double phi) {
-  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-}
 // By the elevation, which keeps its digits at the horizon.
 inline Direction elevated(double elevation, double phi) {
   return {std::cos(elevation) * std::cos(phi), std::cos(elevation) * std::sin(phi),
@@ -46,12 +43,8 @@ inline Direction elevated(double elevation, double phi) {
 }
 
 inline Direction Random::hemisphere() { return spherical(std::acos(uniform(0, 1)), turn()); }
-// Down to the cosine at which error bounds end.
+// Down to the cosine at which the error bounds end.
 inline Direction Random::grazing() { return elevated(logarithmic(1.1e-6, 10 * kDegree), turn()); }
-
-inline double dot(const Direction& a, const Direction& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 inline Direction mirrored(const Direction& w) { return {-w[0], -w[1], w[2]}; }
 

@@ -1,82 +1,18 @@
-// What an assessment finds. Thread safety: plain values.
+// What an assessment finds, with what only the core has of it. Thread safety: plain values.
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "assess/subject.h"
+#include "gonio/assess/report.h"
 #include "measured/merl/review.h"
 
 namespace gonio::assess {
 
-// A relative error, and where it is.
-struct Worst {
-  double error = 0;
-  Pair at{};
-  int channel = 0;
-  double value = 0, truth = 0;
-};
-
-// Values at one place by one way of evaluating.
-struct Findings {
-  std::uint64_t nan = 0, infinite = 0, negative = 0;
-  // Above the bound's `above` where truth is below it: light where there is none.
-  std::uint64_t stray = 0;
-  std::uint64_t checked = 0;  // values that the relative bound speaks of
-  // Of those. Where a difference crosses 0, what four roundings of its parameters make is taken
-  // off.
-  Worst worst;
-
-  [[nodiscard]] std::uint64_t improper() const { return nan + infinite + negative; }
-};
-
-struct PlaceReport {
-  std::string_view name, where, failure;
-  std::uint64_t pairs = 0;
-  Findings fast, reference;  // reference: of pairs in float64
-  // The naive form with the pairs of `fast`, in float32 and in float64.
-  std::optional<Findings> naive32, naive64;
-  Worst reciprocity;  // |f(wi, wo) - f(wo, wi)| over the larger, fast; `truth`: the other value
-};
-
-// One direction of incidence: energy by quadrature over wo, and samples against it.
-struct Incidence {
-  double theta = 0, phi = 0;           // radians
-  std::vector<double> albedo;          // of each channel
-  std::vector<double> sampled;         // the same as the mean weight of samples
-  std::vector<double> standard_error;  // of those, as the samples show it
-  // How far they are off once rare large weights count for less, in standard errors that are wider
-  // by what such weights can do (Bernstein's inequality): z or more has a probability of
-  // 2 exp(-z^2 / 2) or less.
-  std::vector<double> deviation;
-  double mass = 0;         // the integral of the pdf
-  double lost = 0;         // the part of samples below the horizon
-  double unsure = 0;       // of the quadrature, the largest of mass and albedos
-  double probability = 1;  // of samples as far from the pdf or farther, by chi-square
-  Worst weight;            // weight pdf against f cos(theta_o), of fast samples
-};
-
-// One thing that was asked for, and whether it is so.
-struct Check {
-  std::string_view name;  // "error_fast"
-  double value = 0, limit = 0;
-  bool passed = false;
-  std::string where;  // "near_mirror", "85 degrees"; empty if nowhere
-  std::string note;   // what was left out, and why; mostly empty
-};
-
-struct Report {
-  int channels = 1;
-  ErrorBound fast, reference;
-  std::vector<PlaceReport> places;
-  std::vector<Incidence> incidences;
-  std::optional<TableReview> table;  // of a measured material
-  std::vector<Check> checks;
-  bool passed = false;  // all checks
-  double cpu_seconds = 0;
+struct Report : Assessment {
+  // Of a measured material. Its findings are in the checks, which travel; the review itself is what
+  // the verdict is from.
+  std::optional<TableReview> table;
 };
 
 }  // namespace gonio::assess

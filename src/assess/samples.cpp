@@ -10,9 +10,9 @@
 namespace gonio::assess {
 namespace {
 
-constexpr std::size_t kDrawn = 1 << 15;    // samples that are held against the pdf
-constexpr std::size_t kWeighed = 1 << 10;  // of which each weight is looked at
-constexpr std::size_t kHeaviest = 1 << 6;  // and of these, the largest of all
+constexpr std::size_t kDrawn = 1 << 15;    // samples that are compared with the pdf
+constexpr std::size_t kWeighed = 1 << 10;  // of these, every weight is checked
+constexpr std::size_t kHeaviest = 1 << 6;  // and so many of the largest weights of all
 
 // The probability of what was drawn, by chi-square over bins of the integrated pdf.
 double probability_of(const Subject& subject, const Energy& energy, std::uint64_t seed) {
@@ -23,7 +23,7 @@ double probability_of(const Subject& subject, const Energy& energy, std::uint64_
     const Direction wo{drawn.wo[3 * i], drawn.wo[3 * i + 1], drawn.wo[3 * i + 2]};
     if (drawn.flags[i] == 0) ++observed[energy.subdivision.bin_of(wo)];
   }
-  // Of all together "pdf_mass" says whether it is right.
+  // The total is checked by "pdf_mass".
   const double scale = energy.mass > 0 ? (1 - energy.lost) / energy.mass : 1;
   for (const Bin& bin : energy.bins) expected.push_back(scale * bin.mass * kDrawn);
   expected.push_back(energy.lost * kDrawn);
@@ -44,12 +44,13 @@ void weigh(const Subject& subject, const Direction& wi, const Drawn& drawn, std:
   for (std::size_t c = 0; c < channels; ++c) {
     const long double size = scale[c] * cosine;
     const double product = drawn.weights[sample * channels + c] * drawn.pdf[sample];
-    // A product beyond float32's normal numbers has few digits.
+    // A product below float32's normal numbers has few digits.
     if (!(size > 1e-30L) || !(wo[2] > 1.001 * subject.fast.cosine)) continue;
     const auto error = static_cast<double>(std::abs(product - f[c] * cosine) / size);
-    // Not a number is the worst of all.
+    // NaN counts as the worst.
     if (!std::isnan(worst.error) && !(error <= worst.error))
-      worst = {error, {wi, wo}, static_cast<int>(c), product, static_cast<double>(f[c] * cosine)};
+      worst = {
+          error, wi, wo, static_cast<unsigned>(c), product, static_cast<double>(f[c] * cosine)};
   }
 }
 
@@ -70,9 +71,10 @@ std::vector<std::size_t> heaviest(const Drawn& drawn, std::size_t channels) {
   return all;
 }
 
-// How far a mean of capped weights is off, by Bernstein's inequality: a mean of kDrawn independent
-// numbers up to `cap` is off by z or more with a probability of 2 exp(-z^2 / 2) or less. Of small
-// deviations these are standard errors. What the quadrature does not know is taken off before.
+// The deviation of a mean of capped weights, by Bernstein's inequality: a mean of kDrawn
+// independent numbers up to `cap` deviates by z or more with a probability of at most 2 exp(-z^2 /
+// 2). For small deviations z counts standard errors. The uncertainty of the quadrature is
+// subtracted first.
 double deviation_of(const Energy& energy, std::size_t c, double mean) {
   const double known = energy.change[c] + 1e-6 * energy.albedo[c];
   const double off = std::abs(mean - energy.capped[c]) - known;
@@ -89,7 +91,7 @@ void look_at_weights(const Subject& subject, const Energy& energy, std::uint64_t
     for (std::size_t i = 0; i < kDrawn; ++i) {
       const double weight = drawn.weights[i * channels + c];
       sum += weight, squares += weight * weight;
-      // Where nothing is reflected no weight is too large to count.
+      // Where nothing is reflected, weights are not capped.
       capped += energy.cap[c] > 0 ? std::min(weight, energy.cap[c]) : weight;
     }
     const double mean = sum / kDrawn;

@@ -1,4 +1,4 @@
-// Samples of light from one direction, held against what quadrature says of it. Thread safety: a
+// Compares samples for light from one direction with the integrals by quadrature. Thread safety: a
 // function without state.
 #pragma once
 

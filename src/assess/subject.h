@@ -1,5 +1,5 @@
-// A material as the assessment sees it: functions, so that a test can put a broken one in place.
-// Thread safety: as its functions.
+// A material as the assessment sees it: a set of functions, one of which a test can replace by a
+// faulty one. Thread safety: as its functions.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ struct Drawn {
   std::uint64_t lost = 0;
 };
 
-// A change of parameters that is small, and yet seen in long double.
+// A change of parameters that is small, but large enough for long double.
 inline constexpr double kStep = 0x1p-40;
 
 struct Subject {
@@ -50,7 +50,7 @@ struct Subject {
 
   double tangents = 0;  // the azimuth of u, in radians
 
-  // Refractive indices below 1 of its dielectrics: beyond an angle they reflect all.
+  // Refractive indices below 1 of its dielectrics, which reflect all light beyond a critical angle.
   std::vector<double> rarer;
 
   std::shared_ptr<const MeasuredTable> table;  // of a measured material, else null

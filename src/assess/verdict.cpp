@@ -26,7 +26,7 @@ std::string name_of(const Incidence& at) {
   return at.phi == 0 ? theta : theta + ", phi " + text_of(at.phi / kRadians);
 }
 
-// The largest of what `of` finds in each element, and where. NaN counts as the largest.
+// The largest value of `of` over the elements, and where it is. NaN counts as the largest.
 template <class Elements, class Of, class Name>
 std::pair<double, std::string> largest(const Elements& elements, const Of& of, const Name& name) {
   std::pair<double, std::string> found{0, {}};
@@ -100,8 +100,12 @@ class Judgement {
     add(check, largest(report_.incidences, of, name_of), limit);
   }
   void add(std::string_view check, std::pair<double, std::string> found, double limit) {
-    report_.checks.push_back(
-        {check, found.first, limit, found.first <= limit, std::move(found.second), {}});
+    report_.checks.push_back({std::string(check),
+                              found.first,
+                              limit,
+                              found.first <= limit,
+                              std::move(found.second),
+                              {}});
   }
 
   void judge_gain() {
@@ -123,7 +127,7 @@ class Judgement {
     }
   }
 
-  // The one check with a least value.
+  // The only check with a lower limit.
   void judge_distribution() {
     Check check{"distribution", 1, limits_.probability.value_or(least_probability()), true, {}, {}};
     for (const Incidence& at : report_.incidences) {
@@ -144,12 +148,12 @@ class Judgement {
     return most;
   }
 
-  // Half of the false alarms are chi-square's, half the mean weights'.
+  // Half of the allowed false alarms go to chi-square, half to the mean weights.
   [[nodiscard]] double least_probability() const {
     return kFalseAlarms / 2 /
            static_cast<double>(std::max<std::size_t>(1, report_.incidences.size()));
   }
-  // 2 exp(-z^2 / 2) is the probability that each of them has.
+  // Each of them has the probability 2 exp(-z^2 / 2).
   [[nodiscard]] double most_deviation() const {
     return std::sqrt(2 * std::log(2 * report_.channels / least_probability()));
   }

@@ -5,7 +5,7 @@
 
 namespace gonio::assess {
 
-// Errors: a limit that is negative, not a number or beyond what it can be, by field.
+// Errors: a limit that is negative, NaN or out of range, with its field.
 Outcome check_options(const Options& options);
 
 // Fills report.checks and report.passed from the rest of it.

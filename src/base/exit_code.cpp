@@ -29,7 +29,8 @@ ExitCode exit_code_of(const Error& error) {
     case ErrorCode::data_loss:
       return exit_bad_input;
     case ErrorCode::resource_exhausted:
-      // With a bound it is too large, else the server is too busy.
+      // An error that names a bound is of a request that is too large; without one the server is
+      // too busy.
       return error.allowed.empty() ? exit_unreachable : exit_bad_input;
     case ErrorCode::unavailable:
     case ErrorCode::deadline_exceeded:

@@ -14,7 +14,7 @@ namespace {
 // The distance takes quadratic time, and names come from outside.
 constexpr std::size_t kMaxCompared = 64;
 constexpr std::size_t kMaxListed = 5;
-constexpr std::size_t kShort = 3;  // characters of which more than one edit leaves nothing
+constexpr std::size_t kShort = 3;  // characters; two edits of so short a name leave nothing of it
 
 std::string folded(std::string_view text) {
   std::string result;
@@ -43,7 +43,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-// 0 is the same; anything above limit_of() is not alike.
+// The distance of two names. 0: the same; above limit_of(): not alike.
 std::size_t unlikeness(const std::string& name, const std::string& candidate) {
   const std::size_t distance = edit_distance(name, candidate);
   const bool within =
@@ -57,8 +57,8 @@ std::size_t limit_of(const std::string& name) {
   return std::max<std::size_t>(2, name.size() / 3);
 }
 
-// The candidates within the limit, best first; of equals the one whose length is nearer, then in
-// their order. One edit of a single character is another character: no likeness.
+// The candidates within the limit, best first; of equal ones that of nearer length, then in their
+// order. A single character is like no other: one edit replaces all of it.
 template <class Text>
 std::vector<std::string> all_alike(std::string_view name, std::span<const Text> candidates) {
   struct Alike {

@@ -1,9 +1,9 @@
-// What a misspelt name may have meant: one measure of nearness for commands, options, models,
-// parameters, words and stored names. Thread safety: functions without state.
+// Suggestions for a misspelt name: one distance for commands, options, models, parameters, words
+// and stored names. Thread safety: functions without state.
 //
-// Two names are as far apart as Damerau's distance says: characters left out, put in, replaced, and
-// neighbours exchanged, in lower case and without the '-', '_' and ' ' between words. A name within
-// another one (of three characters and more) is as near as one edit.
+// The distance is Damerau's: the number of characters left out, put in or replaced, and of
+// neighbours exchanged, after conversion to lower case and without '-', '_' and ' '. A name of
+// three characters and more that is part of the other one has distance 1.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@
 
 namespace gonio {
 
-// The candidate most like `name`; none where all are too far: a third of its length, two at least,
-// one of names up to three characters.
+// The candidate nearest to `name`; none where all are farther than a third of its length (but at
+// least 2, and 1 for names of up to three characters).
 std::optional<std::string> nearest_name(std::string_view name,
                                         std::span<const std::string_view> candidates);
 std::optional<std::string> nearest_name(std::string_view name,
@@ -26,8 +26,8 @@ std::optional<std::string> nearest_name(std::string_view name,
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> candidates);
 std::string did_you_mean(std::string_view name, std::span<const std::string> candidates);
 
-// bad_value() for a word that is not among those known: all of them are allowed, and the nearest is
-// asked for. `known` holds one at least.
+// bad_value() for an unknown word: the error lists all known ones as allowed and suggests the
+// nearest. `known` is not empty.
 Error unknown_word(std::string_view field, std::string_view given,
                    std::span<const std::string_view> known,
                    ErrorCode code = ErrorCode::invalid_argument);
@@ -35,8 +35,8 @@ Error unknown_word(std::string_view field, std::string_view given,
                    std::span<const std::string> known,
                    ErrorCode code = ErrorCode::invalid_argument);
 
-// The candidates most like `name`, in a sentence's form: "gold, old-gold"; where none is alike, the
-// first few and how many more there are; "none" where there is nothing at all.
+// The candidates nearest to `name` as text: "gold, old-gold". Where none is near: the first few,
+// and how many more there are. "none" where there are no candidates.
 std::string near_names(std::string_view name, std::span<const std::string> candidates);
 
 }  // namespace gonio

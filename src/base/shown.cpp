@@ -24,7 +24,7 @@ Character first_character(std::string_view text) {
     if ((byte(i) & 0xC0U) != 0x80) return {lead, 0};
     code = code << 6U | (byte(i) & 0x3FU);
   }
-  // The shortest form only, and no half of a UTF-16 pair.
+  // UTF-8 allows the shortest form only, and no half of a UTF-16 pair.
   constexpr std::array<std::uint32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
   if (code < kLeast[length] || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF)) {
     return {lead, 0};

@@ -1,5 +1,5 @@
-// What is timed and drawn: a material of each model, and its form as printed with the same
-// parameters. tests/bench measures these, too. Thread safety: functions without state.
+// The cases of charts and benchmarks: a material of each model, and its printed form with the same
+// parameters. Thread safety: functions without state.
 #pragma once
 
 #include <algorithm>

@@ -5,10 +5,10 @@
 //   chart::Options options;
 //   auto models = chart::chart_models(options);  // models x precision x instruction set
 //
-// What is timed, and how, is what tests/bench times: timing/race.h, chart/cases.h. Some seconds to
-// some tens of seconds a part, on the calling thread. Errors: `cancelled` once Options::stop says
-// so, and what each part names. Thread safety: functions without state; two charts at once would
-// disturb one another's times.
+// tests/bench times the same cases (chart/cases.h) with the same code (timing/race.h). A part takes
+// some seconds to some tens of seconds, on the calling thread. Errors: `cancelled` once
+// Options::stop returns true, and those that each part states. Thread safety: functions without
+// state; two charts at once disturb each other's times.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,9 @@ struct Options {
   timing::Effort effort;
   std::size_t pairs = 5000;  // at each place of assess/places.h, for errors
   std::uint64_t seed = 1;
-  std::function<bool()> stop;            // asked often; true ends the chart
-  std::function<void(double)> progress;  // the part that is done, 0 to 1; from the calling thread
+  std::function<bool()> stop;  // asked often; true ends the chart
+  std::function<void(double)>
+      progress;  // the share that is done, 0 to 1; called by the calling thread
 };
 
 // (a) A material of each model on each instruction set in both precisions, and as a scalar loop as
@@ -37,36 +38,36 @@ struct Options {
 // are by model.
 Result<Table> chart_models(const Options& options);
 
-// What was measured of a material.
+// Measurements of a material.
 struct Measured {
   std::string name;
   fit::Data data;
   std::shared_ptr<const MeasuredTable> table;  // null: scattered pairs
 };
 
-// (b) The models fitted to it by L1, and the table itself in both interpolations: ns and bytes
-// against all metrics of fit/report/metrics.h. Fits that fail are left out.
+// (b) The models fitted to the measurements by L1, and the table itself in both interpolations: ns
+// and bytes against all metrics of fit/report/metrics.h. Fits that fail are left out.
 Result<Table> chart_fits(const Measured& measured, const Options& options);
 
 // (c) Fresnel's term in one lobe as a constant, by Schlick and exact, for substances; Schlick's
-// error by angle; and what the publications print wrongly, each beside what is right. Fronts are by
-// substance and by formula.
+// error by angle; and formulas that publications print wrongly, beside the right ones. Fronts are
+// by substance and by formula.
 Result<Table> chart_fresnel(const Options& options);
 Table chart_fresnel_angles();
 Result<Table> chart_printed(const Options& options);
 
-// (e) Materials of each model drawn by gonio's own strategy, by the cosine and as a textbook has
-// it: ns a sample against the variance of the weights, for light at 30 and at 75 degrees, and both
-// together as the time to a standard error of 1 %.
+// (e) Samples of a material of each model by gonio's strategy, by the cosine and by a textbook's
+// strategy: ns per sample against the variance of the weights, for light at 30 and at 75 degrees,
+// and from both the time to a standard error of 1 %.
 Result<Table> chart_sampling(const Options& options);
 
-// (d) What the types that travel cost in accuracy: float32 or float64 directions and values, bytes
-// a pair against the error to f at the directions before rounding. How fast they travel is
-// measured over the client (client/cli/chart/wire.h).
+// (d) The accuracy of the types on the wire, float32 or float64 directions and values: bytes a pair
+// against the error to f at the directions before rounding. The command line measures their speed
+// through the client (client/cli/chart/wire.h).
 Result<Table> chart_directions(const Options& options);
 
-// (f) A measured table (`measured.table` must be there) in fewer cells, read nearest and linearly:
-// bytes against its errors at the centres of the full table's cells.
+// (f) A measured table (`measured.table` must not be null) in fewer cells, read from the nearest
+// cell and linearly: bytes against its errors at the centres of the full table's cells.
 Result<Table> chart_resolution(const Measured& measured, const Options& options);
 
 }  // namespace gonio::chart

@@ -1,4 +1,4 @@
-// What the parts of a chart have in common. Thread safety: functions without state.
+// Columns that several parts of a chart have. Thread safety: functions without state.
 #pragma once
 
 #include "assess/accuracy.h"

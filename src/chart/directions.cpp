@@ -1,4 +1,4 @@
-// The types that directions and values travel in: bytes a pair against error.
+// The types of directions and values on the wire: bytes a pair against error.
 #include <array>
 
 #include "assess/places.h"
@@ -44,7 +44,7 @@ std::vector<double> values_of(const Material& material, const std::vector<assess
   return values_of<float, float>(material, pairs);
 }
 
-// Against f at the directions as they were before rounding.
+// Errors to f at the directions before rounding.
 ErrorStatistics errors_of(const std::vector<double>& values, const assess::Subject& subject,
                           const std::vector<assess::Pair>& pairs) {
   const auto channels = static_cast<std::size_t>(subject.channels);
@@ -54,7 +54,7 @@ ErrorStatistics errors_of(const std::vector<double>& values, const assess::Subje
     subject.truth.evaluate(pairs[i].wi, pairs[i].wo, truth);
     for (std::size_t c = 0; c < channels; ++c) {
       const double value = values[i * channels + c];
-      if (!(truth[c] > 1e-6L)) continue;  // what a picture could show
+      if (!(truth[c] > 1e-6L)) continue;  // below, a picture would not show it
       errors.relative.push_back(static_cast<double>(std::abs(value - truth[c]) / truth[c]));
     }
   }

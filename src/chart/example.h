@@ -1,5 +1,5 @@
-// A measured material where none is given: what a goniometer might have found of a glossy paint.
-// Thread safety: a function without state.
+// An example of a measured material for when none is given: a glossy paint. Thread safety: a
+// function without state.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace gonio::chart {
 
-// An Oren-Nayar base under a sharp and a wide GGX lobe, which no single lobe is like, in MERL's
-// layout, with noise of 2 % a cell.
+// An Oren-Nayar base under a sharp and a wide GGX lobe, which no single lobe fits, in MERL's
+// layout, with 2 % noise per cell.
 std::shared_ptr<const MeasuredTable> example_table(std::uint64_t seed);
 
 }  // namespace gonio::chart

@@ -1,4 +1,4 @@
-// What represents a measured material: fitted models, and the table itself.
+// Representations of a measured material: fitted models, and the table itself.
 #include <algorithm>
 #include <array>
 
@@ -16,8 +16,8 @@ constexpr std::size_t kPairs = 65536;
 struct Form {
   const char* name;
   const char* model;
-  const char* fresnel;  // or null: what the model takes
-  int lobes = 1;        // 0: it is the whole material; else over a Lambertian base
+  const char* fresnel;  // or null: the model's default
+  int lobes = 1;        // 0: the model alone; else so many lobes over a Lambertian base
 };
 constexpr std::array kForms{Form{"lambertian", "lambertian", nullptr, 0},
                             Form{"oren_nayar", "oren_nayar", nullptr, 0},
@@ -53,7 +53,7 @@ std::size_t numbers_of(const LobeSpec& lobe) {
   return numbers;
 }
 
-// Float64 numbers that write a material down.
+// The count of float64 numbers that describe a material.
 std::size_t numbers_of(const MaterialSpec& spec) {
   std::size_t numbers = spec.model ? numbers_of(*spec.model) : 0;
   numbers += spec.diffuse ? numbers_of(*spec.diffuse) : 0;
@@ -143,7 +143,7 @@ Table empty_table(const std::string& name) {
 Result<Table> chart_fits(const Measured& measured, const Options& options) {
   const auto candidates = candidates_of(measured, options);
   if (!candidates) return candidates.error();
-  // So many that a table is not in the nearest caches.
+  // So many pairs that the nearest caches do not hold the cells of a table.
   const auto pairs = std::make_shared<timing::Pairs>(kPairs, std::max(3, measured.data.channels));
   std::vector<timing::Runner> runners;
   for (const Candidate& candidate : *candidates)

@@ -16,13 +16,13 @@ using Numbers = std::vector<double>;
 
 struct Substance {
   std::string name;
-  Numbers eta, k;  // no k: a dielectric
+  Numbers eta, k;  // without k: a dielectric
 };
 
 std::vector<Substance> substances() {
   std::vector<Substance> all{{"water", {1.333}, {}}, {"glass", {1.5}, {}}, {"diamond", {2.42}, {}}};
   for (const auto& metal : presets::kConductors) {
-    if (metal.name == "silver" || metal.name == "iron") continue;  // as aluminium, as chromium
+    if (metal.name == "silver" || metal.name == "iron") continue;  // like aluminium, like chromium
     all.push_back({std::string(metal.name),
                    {metal.eta.begin(), metal.eta.end()},
                    {metal.k.begin(), metal.k.end()}});
@@ -30,7 +30,7 @@ std::vector<Substance> substances() {
   return all;
 }
 
-// At normal incidence.
+// The reflectance at normal incidence.
 Numbers reflectance_of(const Substance& substance) {
   Numbers f0;
   for (std::size_t c = 0; c < substance.eta.size(); ++c) {
@@ -77,7 +77,8 @@ struct MirrorPair {
   }
 };
 
-// A lobe's f there in the fast precision, over that of another in long double: of all channels.
+// The ratio of a lobe's f there in the fast precision to that of another lobe in long double, for
+// all channels.
 std::vector<double> ratios(const Material& material, const Truth& truth, double degrees) {
   const MirrorPair pair(degrees);
   const auto channels = static_cast<std::size_t>(material.channels());
@@ -94,7 +95,7 @@ std::vector<double> ratios(const Material& material, const Truth& truth, double 
   return ratio;
 }
 
-// Over angles up to 89 degrees, all channels.
+// The errors over angles up to 89 degrees and all channels.
 struct FresnelErrors {
   double worst = 0, mean = 0;  // the mean weighs by cosine and solid angle
 };

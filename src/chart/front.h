@@ -6,13 +6,13 @@
 
 namespace gonio::chart {
 
-// Both are better the smaller they are.
+// Smaller is better for both.
 struct Tradeoff {
   double cost = 0, error = 0;
 };
 
-// Whether each of them is on the front: no other one is as good in both and better in one. What has
-// a NaN is not on it and beats nothing.
+// Whether each choice is on the front: no other one is at least as good in both and better in one.
+// A choice with a NaN is not on the front and beats none.
 std::vector<bool> on_front(std::span<const Tradeoff> choices);
 
 }  // namespace gonio::chart

@@ -17,7 +17,7 @@ struct Choice {
   ErrorStatistics errors;
 };
 
-// A loop of one's own would make its directions unit before.
+// A hand-written loop would normalise its directions before.
 bool is_fair(std::size_t place) { return assess::places()[place].name != "off_unit"; }
 
 assess::PlaceErrors errors_of(const Material& material, Isa isa, const Options& options) {

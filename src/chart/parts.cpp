@@ -20,7 +20,7 @@ bool is_wanted(const std::vector<std::string>& parts, std::string_view name) {
   return parts.empty() || std::ranges::find(parts, name) != parts.end();
 }
 
-// The tables of a part; none of what this material has nothing for.
+// The tables of a part; none where the material lacks what the part needs.
 std::vector<Make> tables_of(std::string_view part, const Measured* measured) {
   const auto angles = [](const Options&) -> Result<Table> { return chart_fresnel_angles(); };
   if (part == "models") return {chart_models};
@@ -106,7 +106,7 @@ Result<std::vector<Table>> measure(
 
 std::size_t memory_of(const std::vector<std::string>& parts, const Options& options) {
   constexpr std::size_t kPlain = std::size_t{32} << 20U, kTables = std::size_t{192} << 20U;
-  constexpr std::size_t kOfAPair = 6000;  // at all places: directions, values, truth, errors
+  constexpr std::size_t kOfAPair = 6000;  // bytes, at all places: directions, values, truth, errors
   return kPlain + kOfAPair * options.pairs + (needs_material(parts) ? kTables : 0);
 }
 

@@ -1,5 +1,5 @@
-// The parts of a chart by their names, all in one call: what the command line and the server run.
-// Thread safety: as chart.h.
+// The parts of a chart by name, in one call, for the command line and the server. Thread safety: as
+// chart.h.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace gonio::chart {
 
 struct Part {
   std::string_view name;  // "models"
-  bool of_a_material;     // about what was measured of one
+  bool of_a_material;     // whether the part is about a measured material
 };
 
 // "models", "fits", "approximations", "directions", "sampling", "resolution".
@@ -26,22 +26,23 @@ struct Wanted {
   std::optional<Measured> measured;  // not given: example_table()
 };
 
-// Whether the parts exist and the effort is within its bounds (1 to 1000 repetitions of up to 0.1
-// s, 1 to 20,000 pairs). Errors name the field: "parts[1]", "repetitions", "seconds", "pairs".
+// Checks that the parts exist and that the effort is within its bounds (1 to 1000 repetitions of up
+// to 0.1 s, 1 to 20,000 pairs). Errors name the field: "parts[1]", "repetitions", "seconds",
+// "pairs".
 Outcome check(const std::vector<std::string>& parts, const Options& options);
 
-// Whether one of the wanted parts needs a material.
+// Whether one of the wanted parts needs a measured material.
 bool needs_material(const std::vector<std::string>& parts);
 
 // The tables of the wanted parts in the order of all_parts(). `progress` is called with a part's
-// name and how much of the whole is done; Options::progress is not. Without a table in `measured`
-// there is no resolution. Errors: as check(); "parts" where resolution is asked for by name and
-// there is no table; `cancelled`.
+// name and the share of the whole that is done; Options::progress is not called. Without a table in
+// `measured` the part resolution is left out. Errors: as check(); "parts" where resolution is asked
+// for by name and there is no table; `cancelled`.
 Result<std::vector<Table>> measure(
     const Wanted& wanted, const Options& options,
     const std::function<void(std::string_view part, double done)>& progress = {});
 
-// About what it holds at most, beside the measured data.
+// The approximate peak memory in bytes, without the measured data.
 std::size_t memory_of(const std::vector<std::string>& parts, const Options& options);
 
 }  // namespace gonio::chart

@@ -1,6 +1,6 @@
-// The models as a loop of one's own would have them (assess/naive.h), each with fixed parameters
-// that the compiler knows. This is what the kernels are timed against; it has the naive forms'
-// errors on purpose.
+// The models as hand-written loops (assess/naive.h), each with fixed parameters that the compiler
+// knows. The kernels' times are compared with theirs. They have the errors of the naive forms on
+// purpose.
 #pragma once
 
 #include <array>

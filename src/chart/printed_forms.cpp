@@ -1,4 +1,5 @@
-// What the publications print and what is right: times of scalar loops in float64, and errors.
+// Formulas as publications print them, and the right ones: times of scalar loops in float64, and
+// errors.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +16,7 @@ namespace {
 template <class T>
 using V = Rgb<T>;
 
-// Formulas of one channel. `kPrinted`: as the page has it.
+// Formulas of one channel. `kPrinted`: as printed.
 template <class T>
 struct Forms : assess::Naive<T> {
   using Form = assess::Naive<T>;
@@ -23,7 +24,8 @@ struct Forms : assess::Naive<T> {
   using Form::half;
   using Form::kPi;
 
-  // Nielsen et al. 2014, eq. 2. The exponent is not known to the compiler: it is a material's.
+  // Nielsen et al. 2014, eq. 2. The compiler does not know the exponent, which belongs to a
+  // material.
   template <bool kPrinted>
   static T blinn_norm(const V<T>& wi, const V<T>& wo, T s) {
     const V<T> h = half(wi, wo);
@@ -102,7 +104,7 @@ std::vector<Pair> all_pairs() {
 
 #undef GONIO_FORMS
 
-// Over pairs anywhere, both angles up to 80 degrees.
+// Errors over pairs with both angles up to 80 degrees.
 ErrorStatistics errors_of(const Pair& forms, Formula<double> form, const Options& options) {
   assess::Random random(options.seed);
   const double least = std::cos(80 * assess::kDegree);

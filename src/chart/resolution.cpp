@@ -1,4 +1,4 @@
-// A measured table in fewer cells, and between its cells: bytes against error.
+// A measured table in fewer cells, with and without interpolation: bytes against error.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -57,10 +57,10 @@ std::vector<float> coarse(const Full& table, const Resolution& r) {
   return means;
 }
 
-// A place on one axis: between two cells, or in one.
+// A position on one axis: between two cells, or in one.
 struct Between {
   int lower, upper;
-  float weight;  // of the upper
+  float weight;  // of the upper cell
 };
 Between between(int fine, int fine_cells, int cells, bool linear, bool periodic) {
   const double at = (fine + 0.5) * cells / fine_cells;
@@ -94,7 +94,7 @@ void fill(const std::vector<float>& values, const Resolution& r, const Between (
     to[c] = total > 0 ? sums[c] / total : std::numeric_limits<float>::quiet_NaN();
 }
 
-// What the coarse table gives at the centres of all cells of the full one.
+// The values of the coarse table at the centres of all cells of the full one.
 std::shared_ptr<const Full> expanded(const std::vector<float>& values, const Resolution& r,
                                      bool linear) {
   std::vector<float> full(Full::kCells * kChannels);

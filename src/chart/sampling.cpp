@@ -16,7 +16,7 @@ constexpr std::uint64_t kSeeds = 5;
 
 using SharedSamples = std::shared_ptr<timing::Samples>;
 
-// Directions by the cosine, whatever the material; its own kernels evaluate them.
+// Cosine-weighted directions, evaluated by the material's own kernels.
 timing::Runner by_cosine(const SharedSamples& samples, const Material& material) {
   const Sampler cosine = Sampler::create(
       *Material::create(alone({"lambertian", {{"rd", std::vector<double>{0.5, 0.5, 0.5}}}})));
@@ -46,7 +46,7 @@ timing::Runner by_textbook(const SharedSamples& samples, ScalarSampling scalar) 
   return {run, static_cast<double>(samples->count)};
 }
 
-// The second moment about the mean over its square, for several sets of numbers.
+// The variance divided by the squared mean, for several sets of numbers.
 template <class Find>
 timing::Spread relative_variances(const Find& find, double& lost) {
   std::vector<double> found;

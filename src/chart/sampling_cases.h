@@ -1,4 +1,4 @@
-// What is drawn from: materials, and how a textbook draws for them.
+// Materials to sample, and how textbooks sample them.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@ namespace gonio::chart {
 
 using Vector64 = Vector<double>;
 
-// Draws a whole batch: wi and xi as triples, wo and weights as triples, pdf. The model's colours
-// are those of its form as printed.
+// Draws a whole batch: wi and xi as triples, wo and weights as triples, pdf. The colours are those
+// of the printed form.
 using ScalarSampling = void (*)(const float* wi, const float* xi, std::size_t n, float* wo,
                                 float* pdf, float* weights);
 
@@ -25,12 +25,12 @@ struct SamplingCase {
   MaterialSpec spec;
   DrawFunction draw;
   PdfFunction pdf;
-  ScalarSampling scalar = nullptr;  // only for what is timed
+  ScalarSampling scalar = nullptr;  // null where it is not timed
 };
 
-// Every model as model_cases() has it.
+// A case for each of model_cases().
 std::vector<SamplingCase> timed_cases();
-// With F = 1, where a bound was set to the variance of their weights at 75 degrees.
+// Cases with F = 1, for which tests bound the variance of the weights at 75 degrees.
 struct BoundedCase {
   SamplingCase material;
   double theta;    // degrees

@@ -1,27 +1,12 @@
 #include "chart/table.h"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <map>
 
 #include "chart/front.h"
 
 namespace gonio::chart {
-
-std::size_t Table::column(std::string_view wanted) const {
-  const auto found = std::ranges::find(columns, wanted, &Column::name);
-  assert(found != columns.end());
-  return static_cast<std::size_t>(found - columns.begin());
-}
-
-double Table::number(std::size_t row, std::string_view wanted) const {
-  return std::get<double>(rows[row][column(wanted)]);
-}
-
-const std::string& Table::word(std::size_t row, std::string_view wanted) const {
-  return std::get<std::string>(rows[row][column(wanted)]);
-}
 
 void add_time_columns(Table& table, const std::string& name, const std::string& unit,
                       const std::string& of_what) {
@@ -40,7 +25,7 @@ void add_time_cells(std::vector<Cell>& row, const timing::Spread& spread) {
 
 void add_front(Table& table, std::string_view cost, std::string_view error,
                std::string_view among) {
-  // What answers NaN or less than 0 somewhere is on no front.
+  // Choices that give NaN or negative values somewhere are on no front.
   constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
   const bool counted =
       std::ranges::find(table.columns, "improper", &Column::name) != table.columns.end();

@@ -1,6 +1,6 @@
-// Sampling as textbooks have it, for the models as printed: a half-vector from the distribution of
-// normals for microfacets, half cosine and half lobe for the rest; scalar, in the caller's type.
-// This is what the samplers are compared with. xi: which of two, and two for the direction.
+// Textbook sampling of the printed models: for microfacets a half-vector from the distribution of
+// normals, for the others one half cosine, one half lobe. Scalar, in the caller's type. The
+// samplers are compared with it. xi: one number chooses the strategy, two the direction.
 #pragma once
 
 #include "chart/printed.h"
@@ -30,7 +30,7 @@ struct Cosine {
 // (Ashikhmin & Shirley 2000, eq. 6 to 8).
 template <class T>
 struct Beckmann {
-  T ax, ay;  // Ward's normals, too
+  T ax, ay;  // also of Ward's normals
   [[nodiscard]] Vector<T> draw(T u, T v) const {
     const T phi =
         std::atan2(ay * std::sin(2 * Printed<T>::kPi * u), ax * std::cos(2 * Printed<T>::kPi * u));

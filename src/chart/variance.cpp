@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "numeric/direction.h"
+
 namespace gonio::chart {
 namespace {
 
@@ -41,7 +43,7 @@ std::vector<double> values_of(const Material& material, const Vector64& wi,
 Vector64 direction(double theta_degrees, double azimuth_degrees) {
   const double t = theta_degrees * std::numbers::pi / 180,
                p = azimuth_degrees * std::numbers::pi / 180;
-  return {std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t)};
+  return spherical(t, p);
 }
 
 Variance own_variance(const Material& material, const Vector64& wi, const VarianceEffort& effort) {

@@ -1,4 +1,5 @@
-// The variance of a sampler's weights, and of a textbook's. Thread safety: functions without state.
+// The variance of the weights of samplers and of textbook strategies. Thread safety: functions
+// without state.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +9,14 @@
 
 namespace gonio::chart {
 
-// Of the mean over the channels.
+// Of the weights averaged over the channels.
 struct Variance {
   double variance = 0;
   double mean = 0;  // the albedo
   double lost = 0;  // the part of samples below the horizon, which count as 0
 };
 
-// How it is found: by so many scrambled Sobol' points.
+// The number of scrambled Sobol' points by which it is estimated.
 struct VarianceEffort {
   std::size_t points = std::size_t{1} << 19U;
   std::uint64_t seed = 1;
@@ -23,9 +24,9 @@ struct VarianceEffort {
 
 Vector64 direction(double theta_degrees, double azimuth_degrees);
 
-// Of the material's own sampler.
+// The variance of the material's own sampler.
 Variance own_variance(const Material& material, const Vector64& wi, const VarianceEffort& effort);
-// Of directions and densities of another strategy, with the library's own f.
+// The variance of another strategy's directions and densities, with the library's f.
 Variance variance_of(const DrawFunction& draw, const PdfFunction& pdf, const Material& material,
                      const Vector64& wi, const VarianceEffort& effort);
 

@@ -19,9 +19,9 @@
 
 #include "fit/data/data.h"
 #include "fit/linear/objective.h"
-#include "fit/report/certificate.h"
 #include "gonio/base/result.h"
 #include "gonio/engine/material.h"
+#include "gonio/fit/certificate.h"
 
 namespace gonio::fit {
 
@@ -49,13 +49,6 @@ struct Options {
   // and says in its reason what that gains.
   bool hints = true;
   std::uint64_t seed = 1;  // of the subsets
-};
-
-struct Progress {
-  std::string_view stage;  // "scan", "starts", "fit", "polish", "certificate"
-  int iteration = 0;
-  double objective = 0;  // at present, as a part of that of f = 0
-  double best = 0;       // so far in this stage
 };
 
 struct Watch {

@@ -6,10 +6,10 @@
 #include <map>
 #include <numbers>
 
+#include "numeric/direction.h"
+
 namespace gonio {
 namespace {
-
-using Direction = std::array<double, 3>;
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kRings = 180;  // from the normal to the horizon, half a degree each
@@ -17,10 +17,6 @@ constexpr double kFewestRings = 30;
 constexpr double kFineGroups = 200;         // as many grids of half a degree take a second or two
 constexpr double kReach = 0.2610523844401;  // the chord of 15 degrees
 constexpr std::size_t kLeastWo = 8;
-
-Direction direction(std::span<const double> xyz, std::size_t i) {
-  return {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]};
-}
 
 bool is_above(const Direction& w) {
   return std::isfinite(w[0]) && std::isfinite(w[1]) && std::isfinite(w[2]) && w[2] > 0;
@@ -34,7 +30,7 @@ class Nearest {
  public:
   explicit Nearest(std::span<const double> all) {
     for (std::size_t i = 0; i < all.size() / 3; ++i) {
-      if (is_above(direction(all, i))) sorted_.push_back({direction(all, i), i});
+      if (is_above(nth_direction(all, i))) sorted_.push_back({nth_direction(all, i), i});
     }
     std::sort(sorted_.begin(), sorted_.end(),
               [](const Place& a, const Place& b) { return a.at[2] < b.at[2]; });
@@ -81,7 +77,7 @@ std::vector<Group> groups_of(std::span<const double> wi) {
   constexpr double kSame = 1e5;  // 1 / the difference that is none
   std::map<std::array<long, 3>, Group> groups;
   for (std::size_t i = 0; i < wi.size() / 3; ++i) {
-    const Direction w = direction(wi, i);
+    const Direction w = nth_direction(wi, i);
     if (!is_above(w) || w[0] * w[0] + w[1] * w[1] + w[2] * w[2] > 2) continue;
     Group& group =
         groups[{std::lround(w[0] * kSame), std::lround(w[1] * kSame), std::lround(w[2] * kSame)}];
@@ -129,7 +125,7 @@ std::vector<double> angles_on(int rings, std::span<const double> directions) {
   std::vector<double> angles(directions.size() / 3, 0);
   // Where measurements are closer than the grid, each still stands for something.
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    if (is_above(direction(directions, i))) angles[i] = width * width / 4;
+    if (is_above(nth_direction(directions, i))) angles[i] = width * width / 4;
   }
   for (int ring = 0; ring < rings; ++ring) {
     const double theta = (ring + 0.5) * width, z = std::cos(theta), s = std::sin(theta);

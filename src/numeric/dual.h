@@ -26,13 +26,13 @@ struct Dual {
   requires(!std::is_same_v<Number, T>) explicit GONIO_INLINE Dual(const Dual<Number>& x)
       : v(x.v), d(x.d) {}
 
-  // What does not depend on any parameter.
+  // A number that depends on no parameter.
   static GONIO_INLINE Dual constant(T x) { return Dual(x, T(0)); }
   template <class Number>
   static GONIO_INLINE Dual load(const Number* p) {
     return constant(T::load(p));
   }
-  // What a kernel has worked for: the derivative.
+  // A kernel stores the derivative.
   template <class Number>
   GONIO_INLINE void store(Number* p) const {
     d.store(p);

@@ -15,7 +15,7 @@ GONIO_INLINE T polynomial(T x, const double (&c)[N]) {
   return sum;
 }
 
-// The rounded sum, and what rounding took from it (Knuth).
+// The rounded sum and its rounding error (Knuth).
 template <Exactness E>
 GONIO_INLINE void exact_sum(Double<E> a, Double<E> b, Double<E>& sum, Double<E>& error) {
   sum = a + b;
@@ -23,9 +23,9 @@ GONIO_INLINE void exact_sum(Double<E> a, Double<E> b, Double<E>& sum, Double<E>&
   error = (a - (sum - of_b)) + (b - of_b);
 }
 
-// ax bx + ay by + az bz, relatively to kExactDotError down to sums of 1e-15 of the products (Ogita,
-// Rump & Oishi 2005, "Accurate Sum and Dot Product"). Quick: of float32 numbers, whose products are
-// exact.
+// ax bx + ay by + az bz, with a relative error of kExactDotError down to sums of 1e-15 of the
+// products (Ogita, Rump & Oishi 2005, "Accurate Sum and Dot Product"). The quick form takes float32
+// numbers, whose products are exact.
 template <Exactness E>
 GONIO_INLINE Double<E> exact_dot(const Vec3<Double<E>>& a, const Vec3<Double<E>>& b) {
   using D = Double<E>;
@@ -46,8 +46,8 @@ GONIO_INLINE Double<E> exact_dot(const Vec3<Double<E>>& a, const Vec3<Double<E>>
 }
 
 // (w/s) log2(1 + s/c), given a = s + c, for s >= 0, c >= 0 (quick: c > 1e-150, as of float32
-// cosines) and w = 0 where s = 0: relatively to kQuickWeightedLog2Error, kExactWeightedLog2Error
-// for s above 1e-100, where its square has all its digits (and towards 0 below).
+// cosines) and w = 0 where s = 0. Errors are kQuickWeightedLog2Error, and kExactWeightedLog2Error
+// for s above 1e-100 (below, s^2 loses digits and results go to 0).
 //
 // With k near log2(a/c) it is k plus the series of 2 artanh(z) / log 2, z = (a - c 2^k) /
 // (a + c 2^k), |z| < .201. The numerator is formed as s - c (2^k - 1): for k = 0 it is s itself,
@@ -79,8 +79,8 @@ GONIO_INLINE Double<E> weighted_log2_1p(Double<E> w, Double<E> s, Double<E> c, D
   }
 }
 
-// 2^x for x <= 0 as a number in [1, 2] and a whole power of two, so that what multiplies it comes
-// before an underflow; x below -255 counts as -255.
+// 2^x for x <= 0 as a number in [1, 2] and an integer power of two, so that a factor can be applied
+// before the product underflows. x below -255 counts as -255.
 struct QuickPower {
   Float number, exponent;
 };
@@ -93,12 +93,12 @@ GONIO_INLINE QuickPower quick_exp2(Double<Exactness::quick> x) {
   split_exponent(x, k, m);
   return {polynomial(m, kExp2), k};
 }
-// amplitude * 2^x for amplitude < 2^127, relatively to kTimesExp2Error where that is normal.
+// amplitude * 2^x for amplitude < 2^127, to kTimesExp2Error where the result is normal.
 GONIO_INLINE Float times_exp2(Float amplitude, QuickPower power) {
   return scale(amplitude * power.number, power.exponent);
 }
 
-// amplitude * 2^x in float64, for x <= 0, relatively to kExactTimesExp2Error; 0 below -1000.
+// amplitude * 2^x in float64, for x <= 0, to kExactTimesExp2Error; 0 for x below -1000.
 GONIO_INLINE Double<Exactness::exact> times_exp2(Double<Exactness::exact> amplitude,
                                                  Double<Exactness::exact> x) {
   using D = Double<Exactness::exact>;
@@ -122,8 +122,8 @@ GONIO_INLINE Double<Exactness::exact> times_exp2(Double<Exactness::exact> amplit
   return select(D(-1000) < x, result, D(0));
 }
 
-// The angle of (x, y) for x, y >= 0, in [0, pi/2]; 0 for (0, 0). To kQuickAngleError and
-// kExactAngleError.
+// The angle of (x, y) for x, y >= 0, in [0, pi/2]; 0 for (0, 0). The errors are kQuickAngleError
+// and kExactAngleError.
 //
 // The smaller over the larger component is brought within tan(pi/16) of one of the angles 0, pi/8,
 // pi/4.

@@ -1,6 +1,6 @@
-// The errors of the functions of numeric/, at most: relative ones, but for angles and their sines
-// and cosines. tests/numeric/proofs prove each for every instruction set and hold it to its proof,
-// rounded up to three digits; the tests find more than half of each. Nothing else states them.
+// Error bounds of the functions of numeric/, stated only here; relative, but for angles and their
+// sines and cosines. tests/numeric/proofs proves each on every instruction set, and checks that it
+// is the proved one rounded up to three digits; the tests find errors of more than half of each.
 #pragma once
 
 namespace gonio::errors {

@@ -1,7 +1,7 @@
 // The number system of truth: scalars of long double, 64 bits of mantissa on x86-64.
 //
-// What a packet's elementary functions approximate is taken from the C library here, right to its
-// last digits, so that a model's own template says what its kernels ought to give.
+// Elementary functions, which packets approximate, come from the C library here, with errors in the
+// last digit. A model's own template then gives the values that its kernels should give.
 #pragma once
 
 #include <algorithm>
@@ -53,7 +53,7 @@ struct LongDouble {
   }
 };
 
-// The product and what rounding took from it (Veltkamp & Dekker).
+// The product and its rounding error (Veltkamp & Dekker).
 GONIO_INLINE void exact_product(long double a, long double b, long double& product,
                                 long double& error) {
   const auto high = [](long double x) {
@@ -89,7 +89,7 @@ struct Extended {
   using Power = LongDouble;  // x
   static constexpr bool kQuick = false;
 
-  // That of double: what is beyond is cut off there by every precision.
+  // That of double, to which every precision limits its results.
   static LongDouble largest() { return 1.7976931348623157e308L; }
   static LongDouble real(LongDouble w) { return w; }
   static LongDouble root(LongDouble w) { return sqrt(w); }

@@ -29,8 +29,8 @@ GONIO_INLINE F max(F a, F b) { return _mm256_max_ps(a, b); }
 GONIO_INLINE D max(D a, D b) { return _mm256_max_pd(a, b); }
 GONIO_INLINE F multiply_add(F a, F b, F c) { return _mm256_fmadd_ps(a, b, c); }
 GONIO_INLINE D multiply_add(D a, D b, D c) { return _mm256_fmadd_pd(a, b, c); }
-// a b as rounded, and what rounding took from it. The barrier keeps the compiler from fusing the
-// product into a sum that is to see it rounded.
+// The rounded product a b and its rounding error. The barrier keeps the compiler from fusing the
+// product into a sum that needs it rounded.
 GONIO_INLINE void exact_product(D a, D b, D& product, D& error) {
   product = a * b;
   asm("" : "+x"(product));
@@ -47,7 +47,7 @@ GONIO_INLINE F round(F x) {
 }
 GONIO_INLINE D floor(D x) { return _mm256_floor_pd(x); }
 
-// There is no estimate in double here; a division is exact and quick enough.
+// AVX2 has no estimate in double; a division is exact and fast enough.
 GONIO_INLINE D divide_fast(D a, D b) { return a / b; }
 
 // floor(log2 x) for normal x > 0: the exponent bits, made a double by a constant whose last bit is
@@ -167,7 +167,7 @@ GONIO_INLINE void store(long long* p, I x) {
 }
 GONIO_INLINE I high_half(I x) { return _mm256_srli_epi64(x, 32); }
 
-// Between kWidth triples xyz xyz ... and their components. The compiler's own shuffles do.
+// Between kWidth triples xyz xyz ... and their components. The compiler's shuffles are good enough.
 GONIO_INLINE void split3(const float* from, F& x, F& y, F& z) {
   for (int i = 0; i < kWidth; ++i)
     x[i] = from[3 * i], y[i] = from[3 * i + 1], z[i] = from[3 * i + 2];

@@ -28,8 +28,8 @@ GONIO_INLINE F max(F a, F b) { return _mm512_max_ps(a, b); }
 GONIO_INLINE D max(D a, D b) { return _mm512_max_pd(a, b); }
 GONIO_INLINE F multiply_add(F a, F b, F c) { return _mm512_fmadd_ps(a, b, c); }
 GONIO_INLINE D multiply_add(D a, D b, D c) { return _mm512_fmadd_pd(a, b, c); }
-// a b as rounded, and what rounding took from it. The barrier keeps the compiler from fusing the
-// product into a sum that is to see it rounded.
+// The rounded product a b and its rounding error. The barrier keeps the compiler from fusing the
+// product into a sum that needs it rounded.
 GONIO_INLINE void exact_product(D a, D b, D& product, D& error) {
   product = a * b;
   asm("" : "+v"(product));

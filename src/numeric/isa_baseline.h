@@ -34,7 +34,7 @@ GONIO_INLINE void halve_bits(D x, D& high, D& low) {
   high = scaled - (scaled - x);
   low = x - high;
 }
-// a b as rounded, and what rounding took from it.
+// The rounded product a b and its rounding error.
 GONIO_INLINE void exact_product(D a, D b, D& product, D& error) {
   D ah, al, bh, bl;
   halve_bits(a, ah, al);
@@ -53,7 +53,7 @@ GONIO_INLINE D floor(D x) {
   return nearest - _mm_and_pd(_mm_cmpgt_pd(nearest, x), _mm_set1_pd(1));
 }
 
-// There is no estimate in double here; a division is exact and quick enough.
+// SSE2 has no estimate in double; a division is exact and fast enough.
 GONIO_INLINE D divide_fast(D a, D b) { return a / b; }
 
 // floor(log2 x) for normal x > 0: the exponent bits, made a double by a constant whose last bit is
@@ -158,7 +158,7 @@ GONIO_INLINE I load(const long long* p) {
 GONIO_INLINE void store(long long* p, I x) { _mm_storeu_si128(reinterpret_cast<__m128i*>(p), x); }
 GONIO_INLINE I high_half(I x) { return _mm_srli_epi64(x, 32); }
 
-// Between kWidth triples xyz xyz ... and their components. The compiler's own shuffles do.
+// Between kWidth triples xyz xyz ... and their components. The compiler's shuffles are good enough.
 GONIO_INLINE void split3(const float* from, F& x, F& y, F& z) {
   for (int i = 0; i < kWidth; ++i)
     x[i] = from[3 * i], y[i] = from[3 * i + 1], z[i] = from[3 * i + 2];

@@ -38,7 +38,7 @@ struct Fast {
   static GONIO_INLINE Real largest() { return Real(3.4028234663852886e38); }
   static GONIO_INLINE Real real(Wide w) { return narrow(w); }
   static GONIO_INLINE Real root(Wide w) { return sqrt(narrow(w)); }
-  // For |e| <= 2.1e-3, relatively to kInverseLengthError and kFloatInverseLengthError.
+  // For |e| <= 2.1e-3, with relative errors kInverseLengthError and kFloatInverseLengthError.
   static GONIO_INLINE Wide inverse_length(Wide e) {
     static constexpr double kSeries[] = {1, -1.0 / 2, 3.0 / 8, -5.0 / 16, 35.0 / 128, -63.0 / 256};
     return polynomial(e, kSeries);

@@ -1,4 +1,4 @@
-// The integers behind random numbers, a run at a time; engine/random_numbers.h says which.
+// The integers of random numbers (engine/random_numbers.h says which), a run at a time.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace gonio::GONIO_ISA {
 
-// A run's length at most.
+// The largest length of a run.
 inline constexpr std::size_t kNumbersAtOnce = 64;
 struct NumberRun {
   std::uint32_t word[3][kNumbersAtOnce];

@@ -48,12 +48,12 @@ struct Float {
   friend GONIO_INLINE Mask operator<(Float a, Float b) { return {raw::less(a.v, b.v)}; }
   friend GONIO_INLINE Float min(Float a, Float b) { return Float(raw::min(a.v, b.v)); }
   friend GONIO_INLINE Float max(Float a, Float b) { return Float(raw::max(a.v, b.v)); }
-  // a b + c d. The compiler would choose which product to round first, and not everywhere alike.
+  // a b + c d. The compiler's own choice of the product to round first would differ between places.
   friend GONIO_INLINE Float sum_of_products(Float a, Float b, Float c, Float d) {
     return Float(raw::multiply_add(a.v, b.v, c.v * d.v));
   }
-  // a b + c, rounded once wherever the machine can. Left to the compiler, that depends on what else
-  // a b is used for.
+  // a b + c, rounded once where the instruction set can. If left to the compiler, that depends on
+  // whether a b is also used elsewhere.
   friend GONIO_INLINE Float multiply_add(Float a, Float b, Float c) {
     return Float(raw::multiply_add(a.v, b.v, c.v));
   }

@@ -1,5 +1,5 @@
-// Two packets of float32 side by side, computed with as one: where a formula is one long chain of
-// dependent steps, a processor that waits for one of them works on the other.
+// Two packets of float32 that are computed with as one. Where a formula is a long chain of
+// dependent steps, the processor works on one packet while it waits for the other.
 #pragma once
 
 #include "numeric/number.h"

@@ -1,13 +1,13 @@
-// Elementary functions of what samples are drawn by: float32 packets, or exact float64 ones. Their
-// errors are in errors.h, which tests/numeric/proofs prove.
+// Elementary functions for drawing samples, in float32 packets or exact float64 ones. Their errors
+// are in errors.h, which tests/numeric/proofs prove.
 #pragma once
 
 #include "numeric/elementary.h"
 
 namespace gonio::GONIO_ISA {
 
-// log2(1 - x) for x in [0, 1], given rest = 1 - x as rounded, relatively to kLog2OneMinusError and
-// kExactLog2OneMinusError; where x = 1, a number below -120.
+// log2(1 - x) for x in [0, 1], given rest = 1 - x as rounded, with relative errors
+// kLog2OneMinusError and kExactLog2OneMinusError; for x = 1 a number below -120.
 GONIO_INLINE Float log2_of_rest(Float x, Float rest) {
   // log2(1 + f) / f on [-1/4, 1/2], minimax.
   static constexpr double kLog2[] = {
@@ -28,8 +28,8 @@ GONIO_INLINE T log2_one_minus(T x) {
   return log2_of_rest(x, T(1) - x);
 }
 
-// 2^x and 1 - 2^x for x <= 0, the latter to its last digits where x is nearly 0, too: relatively to
-// kExp2Error and kOneMinusExp2Error (in float64 kExact...). In float32 for x > -100.
+// 2^x and 1 - 2^x for x <= 0, both with relative errors kExp2Error and kOneMinusExp2Error (in
+// float64 kExact...), also where x is nearly 0. In float32 for x > -100.
 template <class T>
 struct Exp2 {
   T power, one_minus;
@@ -65,7 +65,7 @@ GONIO_INLINE Exp2<Double<Exactness::exact>> exp2_of(Double<Exactness::exact> x) 
   return {power + power * change, (D(1) - power) - power * change};
 }
 
-// Cosine and sine of an angle, to kTurnError, or kHalfTurnError; in float64 kExact...
+// Cosine and sine of an angle, with errors kTurnError or kHalfTurnError; in float64 kExact...
 template <class T>
 struct Turn {
   T cos, sin;

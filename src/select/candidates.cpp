@@ -50,8 +50,8 @@ class List {
  public:
   List(const Scene& scene, int channels) : scene_(scene), channels_(channels) {}
 
-  // Both with its pairs of numbers held equal and, if it has such pairs, not; nothing if it cannot
-  // be fitted.
+  // One candidate with the pairs of numbers held equal and, if the model has such pairs, one with
+  // both free; none if it cannot be fitted.
   void add(const std::string& name, std::vector<std::string> parts, const MaterialSpec& form) {
     const auto equal = count(form, false), apart = count(form, true);
     if (!equal || !apart) return;

@@ -15,9 +15,9 @@ namespace gonio::select {
 namespace {
 
 constexpr std::size_t kTable = std::size_t{1} << 20, kManyPairs = 65'536;
-constexpr std::size_t kIncident = 64, kSamples = 256;  // of the second moment
+constexpr std::size_t kIncident = 64, kSamples = 256;  // for the second moment
 
-// What may have been meant by the part that is missing: a part that is given and not asked for.
+// A suggestion for a part that is missing: the nearest name among those given.
 std::string wrongly_written(const CostTable& table, const std::string& part) {
   std::vector<std::string> given;
   for (const auto& [name, ns] : table) given.push_back(name);
@@ -42,7 +42,7 @@ Result<double> ns_from(const CostTable& table, const std::vector<std::string>& p
 
 Result<std::vector<double>> measured_ns(const std::vector<Priced>& priced,
                                         const std::function<bool()>& stop) {
-  // Less than tests/bench spends: some sixty materials in half a second.
+  // Less effort than in tests/bench: some sixty materials in half a second.
   constexpr timing::Effort kEffort{.repetitions = 7, .seconds = 0.001};
   int channels = 1;
   for (const Priced& one : priced) channels = std::max(channels, one.material.channels());

@@ -11,10 +11,10 @@
 
 namespace gonio::select {
 
-// Nanoseconds of a candidate's parts, by name ("ggx:schlick"); a sum costs what its parts do.
+// Nanoseconds of parts, by name ("ggx:schlick"). A sum costs the sum of its parts.
 using CostTable = std::map<std::string, double, std::less<>>;
 
-// The part that stands for the reference itself, where that is a material.
+// The name of the part for the reference itself, where that is a material.
 inline constexpr std::string_view kReferencePart = "reference";
 
 // A material and what it is made of.
@@ -23,16 +23,16 @@ struct Priced {
   Material material;
 };
 
-// Nanoseconds of an evaluation of each in float32, on one thread. From the table; or, where that is
-// empty, measured here and now in one race (timing/race.h), those of the same parts as one. Errors:
-// a part that the table has not, or that is not above 0, as "options.costs"; cancelled, if `stop`
-// says so.
+// Nanoseconds of an evaluation of each in float32, on one thread. The numbers come from the table
+// or, where that is empty, from one race (timing/race.h), in which materials of the same parts are
+// timed once. Errors: a part that the table lacks, or whose number is not above 0, as
+// "options.costs"; cancelled, if `stop` returns true.
 Result<std::vector<double>> ns_of(const std::vector<Priced>& priced, const CostTable& table,
                                   const std::function<bool()>& stop);
 
-// 1 + variance / mean^2 of a sample's weight, its channels averaged, over the wi of a scene: the
-// second moment of what a path brings home from light that varies by itself as much as it is
-// bright.
+// 1 + variance / mean^2 of a sample's weight, averaged over channels and over the wi of a scene. It
+// is the relative second moment of a path's contribution for incident light whose standard
+// deviation equals its mean.
 double relative_second_moment(const Material& material, const Distribution& scene,
                               std::uint64_t seed);
 

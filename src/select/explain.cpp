@@ -29,7 +29,8 @@ double largest_angle(const Scene& scene) {
   return largest;
 }
 
-// What share of the error has its larger angle between two limits, and the error within the upper.
+// The share of the error from pairs whose larger angle is between two limits, and the error of all
+// pairs below the upper limit.
 struct Band {
   double lower, upper;  // degrees
   double share;
@@ -48,7 +49,7 @@ std::vector<Band> bands_of(const Material& material, const Blocks& blocks, const
   for (const Ratio& block : errors_of(material, blocks, scene.metric)) all += block.numerator;
   std::vector<Band> bands;
   for (std::size_t i = 1; i < kLimits.size(); ++i) {
-    // The last band takes all: what lies on the scene's edge belongs to it.
+    // The last band has no upper limit: pairs on the scene's edge belong to it.
     const bool last = radians(kLimits[i]) >= largest_angle(scene) - 1e-9;
     const Blocks inner = last ? blocks : within(blocks, kLimits[i]);
     const auto errors = errors_of(material, inner, scene.metric);
@@ -76,7 +77,7 @@ std::string where(const fit::Regions& regions) {
 }  // namespace
 
 std::string explain_miss(const Material& material, const fit::Data& data, const Scene& scene) {
-  constexpr std::size_t kFewest = 200;  // pairs, below which a band says nothing
+  constexpr std::size_t kFewest = 200;  // pairs; a band with fewer is not reported
   const auto bands = bands_of(material, Blocks(data), scene);
   const Bounded& whole = bands.back().within;
   std::string text = number("errs by %.3g", whole.value);

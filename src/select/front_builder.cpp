@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/text/join.h"
 #include "select/error/rounding.h"
 #include "select/explain.h"
 
@@ -10,17 +11,11 @@ namespace gonio::select {
 namespace {
 
 constexpr double kFrontConfidence = 0.99;
-constexpr double kShare = 0.01;  // of the tolerance: what does not matter to a scene
+constexpr double kShare = 0.01;  // of the tolerance: a difference that does not matter to a scene
 
 std::string number(double x, int digits = 3) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.*g", digits, x);
-  return text;
-}
-
-std::string without_numbers(const std::vector<std::string>& fields) {
-  std::string text;
-  for (const std::string& field : fields) text += (text.empty() ? "" : ", ") + field;
   return text;
 }
 
@@ -45,8 +40,7 @@ void FrontBuilder::place_on_front(FittedCandidate& candidate) {
     const double gain = value(best_) - value(candidate.errors);
     if (!(upper < 0 && gain > kShare * scene_.tolerance)) {
       entry.remark = "no better than " + best_name_;
-      if (!entry.at_bounds.empty())
-        entry.remark += "; at a bound: " + without_numbers(entry.at_bounds);
+      if (!entry.at_bounds.empty()) entry.remark += "; at a bound: " + joined(entry.at_bounds);
       return;
     }
   }
@@ -55,21 +49,21 @@ void FrontBuilder::place_on_front(FittedCandidate& candidate) {
   best_name_ = entry.name;
 }
 
-// The material of the fewest digits that err no more, by the second set.
+// The material rounded to the fewest digits that do not increase its error on the second set.
 Choice FrontBuilder::rounded_choice(const FittedCandidate& candidate, std::size_t index) const {
   Choice choice;
   choice.entry = index;
   choice.material = candidate.entry.material;
-  if (has_model(candidate.form)) {
+  if (candidate.entry.material) {
     const double most = candidate.entry.error.value + kShare * scene_.tolerance;
     for (int digits = kFewestDigits; digits <= kMostDigits; ++digits) {
-      const MaterialSpec spec = rounded(candidate.entry.material, digits);
+      const MaterialSpec spec = rounded(*candidate.entry.material, digits);
       const auto material = Material::create(spec);
       if (!material) continue;
       const auto errors = errors_of(*material, validation_, scene_.metric);
       if (!(bounded(errors, scene_.metric, kWorthTrying).value <= most)) continue;
       choice.material = spec;
-      choice.digits = digits;
+      choice.digits = static_cast<unsigned>(digits);
       break;
     }
   }
@@ -79,7 +73,7 @@ Choice FrontBuilder::rounded_choice(const FittedCandidate& candidate, std::size_
 void FrontBuilder::certify_error(FittedCandidate& candidate, std::size_t index) {
   Choice choice = rounded_choice(candidate, index);
   const Material material =
-      choice.digits > 0 ? *Material::create(choice.material) : *candidate.material;
+      choice.digits > 0 ? *Material::create(*choice.material) : *candidate.material;
   choice.confidence = 1 - (1 - scene_.confidence) * std::exp2(-static_cast<double>(++attempts_));
   choice.error =
       bounded(errors_of(material, certification_, scene_.metric), scene_.metric, choice.confidence);
@@ -89,8 +83,7 @@ void FrontBuilder::certify_error(FittedCandidate& candidate, std::size_t index) 
     candidate.entry.remark = "its certificate failed: at most " + number(choice.error.upper);
     return;
   }
-  const bool fast = choice.error.upper + choice.float32_error < scene_.tolerance;
-  choice.precision = fast ? Precision::fast : Precision::reference;
+  choice.needs_float64 = !(choice.error.upper + choice.float32_error < scene_.tolerance);
   selection_.choice = std::move(choice);
 }
 
@@ -101,7 +94,7 @@ void FrontBuilder::add(FittedCandidate candidate) {
   entry.meets = entry.error.upper < scene_.tolerance;
   place_on_front(candidate);
   if (!has_choice()) {
-    // An anisotropy that is not seen is not chosen because chance favours it.
+    // An anisotropic candidate that errs less only by chance is not chosen.
     if (entry.meets && (entry.on_front || !candidate.anisotropic)) certify_error(candidate, index);
     if (!has_choice()) {
       if (entry.remark.empty()) entry.remark = "misses the tolerance";

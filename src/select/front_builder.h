@@ -1,11 +1,11 @@
-// From the cheapest candidate up: which are on the front, and which is chosen.
+// Decides, in ascending order of cost, which candidates are on the front and which is chosen.
 #pragma once
 
 #include "select/select.h"
 
 namespace gonio::select {
 
-// A candidate with what deciding needs.
+// A fitted candidate with its errors.
 struct FittedCandidate {
   Entry entry;
   MaterialSpec form;
@@ -20,7 +20,7 @@ class FrontBuilder {
   FrontBuilder(const Scene& scene, const Sets& sets);
 
   [[nodiscard]] const Blocks& validation() const { return validation_; }
-  // The next one; it has been fitted.
+  // Takes the next candidate, which has been fitted.
   void add(FittedCandidate candidate);
   [[nodiscard]] bool has_choice() const { return selection_.choice.has_value(); }
   Selection finish() &&;

@@ -5,10 +5,6 @@
 
 namespace gonio::select {
 
-bool has_model(const MaterialSpec& material) {
-  return material.model || material.diffuse || !material.specular.empty();
-}
-
 Outcome check(const Options& options) {
   const auto size = [](std::size_t n) { return std::to_string(n); };
   if (options.lobes < 1 || options.lobes > 2)
@@ -27,8 +23,7 @@ Outcome check(const Options& options) {
   return Ok{};
 }
 
-// The scene's bins; the draws of a material in float64, then the sets, and their blocks beside
-// them.
+// The scene's bins, the draws of a material in float64, the sets, and their blocks.
 std::size_t memory_of(int channels, const Scene& scene, const Options& options) {
   constexpr std::size_t kPair = 160, kValue = 28, kFits = std::size_t{16} << 20;
   constexpr std::size_t kBin = 512;  // and its message

@@ -38,7 +38,7 @@ double Queue::cost_of(const Entry& entry) const {
   return 0;
 }
 
-// As a candidate that needs no fit.
+// The reference as a candidate that needs no fit.
 void Queue::add_reference(const Material& reference) {
   FittedCandidate candidate;
   candidate.entry.name = kReferencePart;
@@ -49,7 +49,7 @@ void Queue::add_reference(const Material& reference) {
   waiting_.push_back(std::move(candidate));
 }
 
-// Those of the same parts have the same price, whatever their numbers.
+// Candidates of the same parts have the same cost, whatever their numbers.
 Outcome Queue::set_prices() {
   std::vector<Priced> priced;
   for (const FittedCandidate& candidate : waiting_) {
@@ -80,7 +80,7 @@ Outcome Queue::fit_one(FittedCandidate& candidate) {
   if (!found) return found.error();
   candidate.entry.material = std::move(found->material);
   candidate.entry.at_bounds = std::move(found->certificate.active_bounds);
-  candidate.material = *Material::create(candidate.entry.material);
+  candidate.material = *Material::create(*candidate.entry.material);
   candidate.errors = errors_of(*candidate.material, validation_, task_.scene.metric);
   return Ok{};
 }
@@ -97,7 +97,7 @@ Outcome Queue::fill(const Material* reference) {
     candidate.entry.bytes = Material::create(with_channels(listed.form, channels))->bytes();
     waiting_.push_back(std::move(candidate));
   }
-  // A table that does not price the reference leaves it out.
+  // Without a cost for it in the table the reference is left out.
   const CostTable& costs = task_.options.costs;
   if (reference != nullptr && (costs.empty() || costs.contains(kReferencePart)))
     add_reference(*reference);
@@ -128,7 +128,7 @@ Outcome Queue::fit_by_cost(FrontBuilder& front) {
     std::stable_sort(first, end, errs_less);
     for (; first != end; ++first) front.add(std::move(*first));
   }
-  // What costs more is looked at only where that costs nothing: the reference.
+  // Of what costs more than the choice only the reference is examined, because it needs no fit.
   for (; first != waiting_.end(); ++first) {
     if (first->material) front.add(std::move(*first));
   }

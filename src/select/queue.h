@@ -20,11 +20,11 @@ class Queue {
  public:
   Queue(const Task& task, const Blocks& validation) : task_(task), validation_(validation) {}
 
-  // All candidates and, if it is a material, the reference, by cost. Where a cost depends on what
-  // is fitted, that is done here. Errors: prices; cancelled.
+  // All candidates and, if it is a material, the reference, by cost. Where the cost depends on the
+  // fitted numbers, all are fitted here. Errors: costs; cancelled.
   Outcome fill(const Material* reference);
 
-  // From the cheapest up; those of one price go by their errors.
+  // In ascending order of cost; those of equal cost in ascending order of error.
   Outcome fit_by_cost(FrontBuilder& front);
 
  private:

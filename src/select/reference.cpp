@@ -12,7 +12,8 @@ namespace gonio::select {
 namespace {
 
 constexpr std::size_t kFewestPairs = 200;
-constexpr std::size_t kAsked = 1024;  // so often: a density goes through all bins
+constexpr std::size_t kAsked =
+    1024;  // pairs between two calls of `stop`: a density goes through all bins
 
 Error stopped() { return {ErrorCode::cancelled, "the selection was stopped", {}, {}, {}}; }
 
@@ -32,7 +33,7 @@ Error too_few(std::size_t found, const fit::Data& data) {
       "at least " + std::to_string(kFewestPairs) + " within the scene's angles");
 }
 
-// Relative to what is reflected, no error has a meaning where nothing is.
+// Relative errors are undefined where nothing is reflected.
 Outcome check_light(const fit::Data& data) {
   const bool dark =
       std::all_of(data.values.begin(), data.values.end(), [](float value) { return !(value > 0); });
@@ -40,7 +41,7 @@ Outcome check_light(const fit::Data& data) {
   return bad_value("reference", "0 everywhere in the scene", "values of which some are above 0");
 }
 
-// Do all wi lie in one plane with the normal?
+// Whether all wi lie in one plane with the normal.
 bool of_one_azimuth(const fit::Data& data) {
   constexpr float kNone = 1e-4F;
   std::size_t lowest = 0;
@@ -54,7 +55,7 @@ bool of_one_azimuth(const fit::Data& data) {
   return true;
 }
 
-// Each pair about the normal, anywhere.
+// Turns each pair about the normal by a random angle.
 void turn(fit::Data& data, std::mt19937_64& random) {
   std::uniform_real_distribution<float> turned(0, 2 * std::numbers::pi_v<float>);
   for (std::size_t i = 0; i < data.size(); ++i) {
@@ -76,7 +77,8 @@ Sets cut(const fit::Data& data, std::span<const std::size_t> order, const SetSiz
           fit::pick(data, order.subspan(fitted + validation, all - fitted - validation), 1)};
 }
 
-// Half of the wo drawn anew by the sampler. Densities are with respect to wo, wi being given.
+// Replaces half of the wo by draws of the sampler. Densities are with respect to wo, wi being
+// given.
 struct Draws {
   std::vector<double> wi, wo, values, weights;
 };
@@ -111,7 +113,7 @@ void evaluate_draws(const Sampler& sampler, const Distribution& scene, std::size
            pdf.data(), best_isa());
   draws.weights.assign(count, 0);
   for (std::size_t i = 0; i < count && !(i % kAsked == 0 && stop && stop()); ++i) {
-    if (flags[i] != 0) continue;  // below the horizon, or a hole in a table: nothing is known there
+    if (flags[i] != 0) continue;  // below the horizon, or a hole in a table: the value is not known
     const Direction in{draws.wi[3 * i], draws.wi[3 * i + 1], draws.wi[3 * i + 2]};
     const Direction out{draws.wo[3 * i], draws.wo[3 * i + 1], draws.wo[3 * i + 2]};
     const double of_scene = scene.density(in, out) / scene.incident_density(in);
@@ -159,8 +161,8 @@ fit::Data draw_pairs(const Material& reference, const Distribution& scene, std::
   }
   redraw_half(sampler, count, seed, draws);
   evaluate_draws(sampler, scene, count, stop, draws);
-  // What the sampler drew outside the scene, or lost, has weight 0 and is left out. Its place in
-  // the mean is kept: what is left out is so at random, the same for all candidates.
+  // Samples outside the scene, or lost, have weight 0 and are left out. The mean still counts them:
+  // which ones are left out is random, and the same for all candidates.
   fit::Data data =
       *fit::from_pairs(draws.wi, draws.wo, draws.values, reference.channels(), draws.weights);
   data.left_out.no_weight = 0;

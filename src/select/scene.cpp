@@ -10,7 +10,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Angles arrive as degrees; a right angle may be off by a rounding.
+// Angles arrive in degrees, so that a right angle may be off by a rounding.
 constexpr double kSlack = 1e-9;
 
 std::string number(double x) {

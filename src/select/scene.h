@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "fit/linear/objective.h"
@@ -44,7 +45,7 @@ struct Range {
 // normal is even, too.
 struct Bin {
   Range theta_i, theta_o;
-  Range phi{0, 3.14159265358979323846};
+  Range phi{0, std::numbers::pi};
   double weight = 1;  // how often such pairs occur; of all bins, any unit
 };
 

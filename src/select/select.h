@@ -33,6 +33,7 @@
 
 #include "fit/data/data.h"
 #include "gonio/engine/material.h"
+#include "gonio/select/selection.h"
 #include "select/cost.h"
 #include "select/error/error.h"
 #include "select/reference.h"
@@ -51,41 +52,10 @@ struct Options {
   std::function<bool()> stop;  // asked often; true ends all with `cancelled`
 };
 
-struct Entry {
-  std::string name;       // as Candidate's, or "reference"
-  MaterialSpec material;  // as fitted; empty for the reference itself
-  std::size_t parameters = 0;
-  double ns = 0;  // an evaluation in float32
-  std::size_t bytes = 0;
-  double second_moment = 0;  // relative, of a sample's weight; only where it is part of the cost
-  double cost = 0;           // by the scene's kind
-  Bounded error;             // on the second set, bounds of 95 % each
-  std::vector<std::string> at_bounds;  // fields of parameters that a bound holds
-  bool on_front = false;
-  bool meets = false;  // its bound is below the tolerance
-  std::string remark;  // why it is not on the front, or not chosen
-};
-
-struct Choice {
-  std::size_t entry = 0;
-  MaterialSpec material;                  // rounded; empty for the reference itself
-  int digits = 0;                         // significant ones, decimal; 0 where rounding did not do
-  Precision precision = Precision::fast;  // float64 only where float32 would miss the tolerance
-  double float32_error = 0;               // what it adds at most, by the metric
-  Bounded error;                          // certified: on the third set
-  double confidence = 0;                  // of the bound, after sharing
-  std::size_t pairs = 0;                  // of the third set
-};
-
-struct Selection {
-  std::vector<Entry>
-      entries;  // by cost; without whole_front, those up to the choice and the reference
-  std::optional<Choice> choice;
-  std::string reason;
-};
-
-// Whether a choice's or an entry's material says something: that of the reference itself does not.
-bool has_model(const MaterialSpec& material);
+using Entry = EntryOf<MaterialSpec>;
+using Choice = ChoiceOf<MaterialSpec>;
+// Without Options::whole_front its entries are those up to the choice, and the reference.
+using Selection = SelectionOf<MaterialSpec>;
 
 // Are they options? Errors name "options....".
 Outcome check(const Options& options);

@@ -1,5 +1,5 @@
-// What evaluations are timed on: pairs of directions over the hemisphere, and room for values.
-// Thread safety: one thread at a time runs what shares a Pairs.
+// Input and output of timed evaluations: pairs of directions over the hemisphere, and memory for
+// values. Thread safety: runners that share a Pairs run on one thread at a time.
 #pragma once
 
 #include <array>
@@ -13,19 +13,19 @@
 
 namespace gonio::timing {
 
-// So many pairs at a time are timed where nothing else is said: a tile, as the server works on.
+// The default size of a timed batch: a tile, as the server works on.
 inline constexpr std::size_t kTimedPairs = kTilePairs;
 
 // Both directions uniform over the hemisphere (cosines from 0.001 up), the same for the same count,
 // as separate components, with room so that arrays do not share cache sets.
 class Pairs {
  public:
-  // `channels` is the most that a material evaluated here may have.
+  // `channels`: the largest number of channels that a material evaluated here may have.
   explicit Pairs(std::size_t count, int channels = 3);
 
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] const float* component(std::size_t i) const { return in_[i].data(); }
-  // The batches of both precisions; their values are written into this.
+  // The batches of both precisions; their values are written into this object.
   [[nodiscard]] Batch<float, float> fast();
   [[nodiscard]] Batch<float, double> reference();
 

@@ -14,14 +14,15 @@ double seconds_of(const Runner& runner, std::uint64_t runs, Clock clock) {
   return now(clock) - start;
 }
 
-// Runs that take long enough together. Warms up on the way.
+// The number of runs that together take the time of a repetition. Measuring it warms the runner up.
 std::uint64_t runs_of(const Runner& runner, const Effort& effort) {
   constexpr std::uint64_t kMost = std::uint64_t{1} << 32U;
   runner.run();
   for (std::uint64_t runs = 1;;) {
     const double seconds = seconds_of(runner, runs, effort.clock);
     if (seconds >= effort.seconds || runs >= kMost) return runs;
-    // A little more than what seems to be needed; ten times as many where that is a guess.
+    // A little more than the estimate; ten times as many where the time was too short to estimate
+    // from.
     const double wanted = seconds > 0 ? 1.2 * effort.seconds / seconds : 10;
     runs =
         static_cast<std::uint64_t>(static_cast<double>(runs) * std::clamp(wanted, 1.1, 10.0)) + 1;

@@ -1,8 +1,8 @@
 // Times several kinds of work against one another in one run.
 //
-// Every runner is warmed up, and told how often it has to run for a repetition to be long enough.
-// Then come rounds: in each of them every runner has one repetition, in an order that changes, so
-// that whatever else the machine does hits all of them alike.
+// Every runner is warmed up, and the number of runs is found that makes a repetition long enough.
+// Then come rounds. In each round every runner has one repetition, in an order that changes, so
+// that other work on the machine affects all of them alike.
 //
 //   std::vector<timing::Runner> runners{timing::evaluation(pairs, gold, Precision::fast, isa),
 //   ...}; const auto seconds = timing::race(runners, {});  // seconds[i].best: of one pair
@@ -19,30 +19,30 @@
 
 namespace gonio::timing {
 
-// Something to be timed; one run does `items` of what is counted: pairs, samples, calls.
+// Work to be timed. One run processes `items` pairs, samples or calls.
 struct Runner {
   std::function<void()> run;
   double items = 1;
 };
 
 enum class Clock : std::uint8_t {
-  thread,  // this thread's processor time: what other processes take does not count
+  thread,  // CPU time of the calling thread, which other processes do not add to
   wall,    // for work that waits for other threads
 };
 
-// By default what tests/bench spends.
+// The defaults are those of tests/bench.
 struct Effort {
   int repetitions = 25;
-  double seconds = 0.004;  // that a repetition takes at least
+  double seconds = 0.004;  // the least time of a repetition
   Clock clock = Clock::thread;
 };
 
-// Seconds an item of each runner, in their order. `stop` is asked before every repetition; once it
-// says so, the spreads are those of what was done until then.
+// Seconds per item of each runner, in their order. `stop` is called before every repetition; after
+// it returns true, the spreads are those of the repetitions done so far.
 std::vector<Spread> race(std::span<const Runner> runners, const Effort& effort,
                          const std::function<bool()>& stop = {});
 
-// Seconds on a clock, from a beginning of its own.
+// Seconds of a clock, from an arbitrary beginning.
 double now(Clock clock);
 
 }  // namespace gonio::timing

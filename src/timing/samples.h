@@ -1,5 +1,5 @@
-// What samplers are timed on: directions of incidence over the hemisphere, random numbers, and room
-// for samples. Thread safety: one thread at a time runs what shares a Samples.
+// Input and output of timed samplers: directions of incidence over the hemisphere, random numbers,
+// and memory for samples. Thread safety: runners that share a Samples run on one thread at a time.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace gonio::timing {
 
-// One sample of each direction, interleaved as they come over the wire; three channels.
+// One sample per direction, interleaved as on the wire; three channels.
 struct Samples {
   explicit Samples(std::size_t count);
 

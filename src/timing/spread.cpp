@@ -7,7 +7,7 @@
 namespace gonio::timing {
 namespace {
 
-// At a part of the way through sorted numbers, between neighbours.
+// The quantile of sorted numbers, interpolated between neighbours.
 double at(const std::vector<double>& sorted, double part) {
   const double position = part * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(position);

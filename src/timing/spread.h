@@ -1,8 +1,7 @@
-// What repetitions of a measurement say.
+// Best and quartiles of repeated measurements.
 //
-// The best one counts: a machine may be busy, but it is seldom busy throughout, and nothing makes
-// work faster than it is. The quartiles say how far that can be trusted. Thread safety: plain
-// values, a function without state.
+// The best one counts: other work on a machine comes and goes, and only ever adds time. The
+// quartiles show how much the times vary. Thread safety: plain values, a function without state.
 #pragma once
 
 #include <span>
@@ -15,7 +14,7 @@ struct Spread {
   int repetitions = 0;
 };
 
-// Of any times, in their unit; zeros for none.
+// The spread of any times, in their unit; zeros where there are none.
 Spread spread_of(std::span<const double> times);
 
 // The same in another unit.

@@ -64,7 +64,7 @@ Alarms alarms_of(const Material& material, std::uint64_t seeds) {
   Alarms alarms;
   assess::Report report;
   report.channels = subject.channels;
-  report.fast = subject.fast, report.reference = subject.reference;
+  report.fast = stated(subject.fast), report.reference = stated(subject.reference);
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     report.incidences.clear();
     for (const assess::Energy& energy : energies)

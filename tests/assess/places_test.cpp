@@ -7,6 +7,7 @@
 #include <set>
 
 #include "assess/assessed.h"
+#include "numeric/direction.h"
 
 namespace gonio::testing {
 namespace {
@@ -29,9 +30,6 @@ std::vector<Pair> pairs_at(std::string_view name, std::size_t count = 2000) {
   return assess::pairs_at(index_of(name), glass_from_inside(), count, 1);
 }
 
-double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 double length(const std::array<double, 3>& a) { return std::sqrt(dot(a, a)); }
 double mirror_cosine(const Pair& p) {
   return p.wi[2] * p.wo[2] - p.wi[0] * p.wo[0] - p.wi[1] * p.wo[1];

@@ -124,7 +124,7 @@ void print(const char* name, std::vector<double>& times) {
 }
 
 int run(const std::string& kind, const Work& work, double seconds) {
-  testing::Daemon daemon({"--listen", "127.0.0.1:0"});
+  server::testing::Daemon daemon({"--listen", "127.0.0.1:0"});
   const std::string target = "127.0.0.1:" + std::to_string(daemon.port());
   const auto client = connect(target);
   std::vector<double> warm, idle, busy;

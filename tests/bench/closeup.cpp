@@ -13,7 +13,7 @@
 #include <numbers>
 
 #include "chart/textbook.h"
-#include "client/cli/arguments/connection.h"
+#include "client/cli/connection/connection.h"
 #include "client/picture/render/evaluator.h"
 #include "client/picture/render/integrator.h"
 #include "client/picture/render/sky.h"

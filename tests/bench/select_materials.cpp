@@ -91,16 +91,15 @@ std::optional<select::Selection> choose(const Measured& of, const select::Scene&
 }
 
 const select::Entry* reference_of(const select::Selection& found) {
-  const auto at = std::find_if(found.entries.begin(), found.entries.end(), [](const auto& entry) {
-    return !select::has_model(entry.material);
-  });
+  const auto at = std::find_if(found.entries.begin(), found.entries.end(),
+                               [](const auto& entry) { return !entry.material; });
   return at == found.entries.end() ? nullptr : &*at;
 }
 
 const select::Entry& best_fitting(const select::Selection& found) {
   const select::Entry* best = nullptr;
   for (const select::Entry& entry : found.entries) {
-    if (!select::has_model(entry.material)) continue;
+    if (!entry.material) continue;
     if (best == nullptr || entry.error.value < best->error.value) best = &entry;
   }
   return *best;
@@ -121,7 +120,7 @@ std::string error(const select::Bounded& error) {
 std::string cell(const select::Selection& found) {
   if (!found.choice) return "nothing";
   const select::Entry& entry = found.entries[found.choice->entry];
-  if (!select::has_model(entry.material)) return "the table itself";
+  if (!entry.material) return "the table itself";
   return entry.name + "<br>" + text("%.1f %%, at most ", 100 * found.choice->error.value) +
          text("%.1f<br>", 100 * found.choice->error.upper) + costs(entry);
 }

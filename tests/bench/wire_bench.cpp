@@ -202,7 +202,7 @@ void unary_latency(benchmark::State& state, const std::string& target) {
 
 // Growth of both processes over a 16 M-pair stream; the server is a goniod of its own.
 void memory(benchmark::State& state) {
-  testing::Daemon daemon({"--listen", "127.0.0.1:0"});
+  server::testing::Daemon daemon({"--listen", "127.0.0.1:0"});
   const std::string target = "127.0.0.1:" + std::to_string(daemon.port());
   Arrays arrays(std::size_t{16} << 20);
   const auto bench_material = material();
@@ -226,7 +226,7 @@ void memory(benchmark::State& state) {
 
 int main(int argc, char** argv) {
   using namespace gonio::bench;
-  gonio::keep_freed_memory();  // as goniod does; the echo has the same advantage
+  gonio::server::keep_freed_memory();  // as goniod does; the echo has the same advantage
   benchmark::Initialize(&argc, argv);
   // First, while this process is still small.
   benchmark::RegisterBenchmark("memory/16M_pairs", memory)

@@ -24,7 +24,7 @@ class WireServer {
   explicit WireServer(std::size_t echo_bytes)
       : unix_target("unix:/tmp/gonio-bench-" + std::to_string(::getpid())), echo_(echo_bytes) {
     grpc::ServerBuilder builder;
-    configure(builder, options_);
+    server::configure(builder, options_);
     builder.RegisterService(&service_).RegisterService(&echo_);
     int port = 0;
     builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port);
@@ -37,16 +37,17 @@ class WireServer {
   std::string tcp_target, unix_target;
 
  private:
-  ServerOptions options_;
-  Materials materials_;
+  server::ServerOptions options_;
+  server::Materials materials_;
   ThreadPool pool_{std::max(1, static_cast<int>(std::thread::hardware_concurrency())),
                    options_.max_queued_jobs};
   spdlog::logger logger_{"bench", std::make_shared<spdlog::sinks::null_sink_mt>()};
-  MemoryBudget memory_{options_.memory_quota_bytes};
-  BackgroundQueue fits_{1, 1}, puts_{1, 1};
-  CallsUnderWay calls_;
-  Service service_{{materials_, pool_, options_.max_message_bytes, options_.max_queued_jobs,
-                    logger_, memory_, FitBackend{fits_, std::chrono::seconds(1)}, puts_, calls_}};
+  server::MemoryBudget memory_{options_.memory_quota_bytes};
+  server::BackgroundQueue fits_{1, 1}, puts_{1, 1};
+  server::CallsUnderWay calls_;
+  server::Service service_{{materials_, pool_, options_.max_message_bytes, options_.max_queued_jobs,
+                            logger_, memory_, server::FitBackend{fits_, std::chrono::seconds(1)},
+                            puts_, calls_}};
   EchoService echo_;
   std::unique_ptr<grpc::Server> server_;
 };

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "chart/cases.h"
 #include "chart/chart_tables.h"
@@ -62,7 +63,7 @@ TEST(ChartOfFresnel, FindsSchlickAndConstantsOff) {
 TEST(ChartOfFresnel, SchlickByAngleIsWhatItIsByHand) {
   const chart::Table table = chart::chart_fresnel_angles();
   expect_well_formed(table);
-  const double degrees = 40, c = std::cos(degrees * 3.14159265358979323846 / 180);
+  const double degrees = 40, c = std::cos(degrees * std::numbers::pi / 180);
   const double g = std::sqrt(1.5 * 1.5 - 1 + c * c), a = (g - c) / (g + c),
                b = (c * (g + c) - 1) / (c * (g - c) + 1), exact = a * a * (1 + b * b) / 2;
   const double schlick = 0.04 + 0.96 * std::pow(1 - c, 5);

@@ -1,8 +1,11 @@
 // Assessments through the client library, on every transport.
 #include <gmock/gmock.h>
+#include <google/protobuf/util/json_util.h>
+#include <google/protobuf/util/message_differencer.h>
 #include <gtest/gtest.h>
 
 #include "client/support/server_fixture.h"
+#include "wire/mapping/assessment.h"
 
 namespace gonio::test {
 namespace {
@@ -14,6 +17,15 @@ client::AssessOptions quick() {
   client::AssessOptions options;
   options.pairs = 200;
   return options;
+}
+
+// What the service answered, as the JSON has it, is what the caller has.
+void expect_all_there(const client::Assessment& result) {
+  v1::AssessResponse answer;
+  ASSERT_TRUE(google::protobuf::util::JsonStringToMessage(result.json, &answer).ok());
+  answer.clear_instruction_set();  // beside the rest, see below
+  const auto had = wire::to_message<assess::Assessment>(result);
+  EXPECT_TRUE(google::protobuf::util::MessageDifferencer::Equals(had, answer));
 }
 
 TEST_F(Assess, SaysTheSameOnEveryTransport) {
@@ -33,6 +45,7 @@ TEST_F(Assess, SaysTheSameOnEveryTransport) {
     EXPECT_NE(result->instruction_set, client::InstructionSet::best);
     EXPECT_GT(result->cpu_seconds, 0);
     EXPECT_THAT(result->json, HasSubstr("\"near_mirror\""));
+    expect_all_there(*result);
     std::vector<double> now;
     for (const auto& check : result->checks) now.push_back(check.value);
     if (!values.empty()) {

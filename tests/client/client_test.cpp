@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -20,8 +19,6 @@ namespace {
 using client::ClientOptions;
 using client::EvaluateOptions;
 using client::Material;
-using ::testing::Contains;
-using ::testing::HasSubstr;
 
 class ClientTest : public ServerFixture {};
 
@@ -49,59 +46,6 @@ Results<Out> evaluate(const client::Client& client, const Material& material,
   EXPECT_TRUE(report.ok()) << report.error().message;
   if (report) results.report = *report;
   return results;
-}
-
-TEST_F(ClientTest, ListsWhatTheServerDoesNotServe) {
-  const gonio::testing::TempFolder folder;
-  std::ofstream(folder / "gold.json") << R"({"model": "ggx"})";
-  std::ofstream(folder / "rough.json") << R"({"model": "ggx", "parameters": {"alpha_x": 7}})";
-  ServerOptions options;
-  options.materials = folder / "";
-  const auto server = Server::start(options);
-  ASSERT_TRUE(server.ok());
-  const auto client = client::Client::from_channel((*server)->in_process_channel(), "it");
-  const auto catalogue = client->list_models();
-  ASSERT_TRUE(catalogue.ok());
-  EXPECT_THAT(catalogue->materials, ::testing::ElementsAre("gold"));
-  ASSERT_EQ(catalogue->skipped_materials.size(), 1U);
-  EXPECT_EQ(catalogue->skipped_materials[0].name, "rough");
-  EXPECT_THAT(catalogue->skipped_materials[0].reason,
-              ::testing::AllOf(HasSubstr("rough.json"), HasSubstr("alpha_x is 7")));
-}
-
-TEST_F(ClientTest, ListsModels) {
-  auto catalogue = connect("tcp").list_models();
-  ASSERT_TRUE(catalogue.ok()) << catalogue.error().message;
-  std::vector<std::string> names;
-  for (const auto& model : catalogue->models) names.push_back(model.name);
-  EXPECT_THAT(names,
-              ::testing::IsSupersetOf({"lambertian", "ashikhmin_shirley", "cook_torrance", "ggx"}));
-  EXPECT_FALSE(catalogue->server_version.empty());
-  EXPECT_THAT(catalogue->instruction_sets, Contains(client::InstructionSet::baseline));
-
-  auto one = connect("tcp").list_models("ggx");
-  ASSERT_TRUE(one.ok());
-  ASSERT_EQ(one->models.size(), 1U);
-  const auto& parameters = one->models[0].parameters;
-  const auto alpha = std::find_if(parameters.begin(), parameters.end(),
-                                  [](const auto& p) { return p.name == "alpha_x"; });
-  ASSERT_NE(alpha, parameters.end());
-  EXPECT_EQ(alpha->upper, 1.0);
-  EXPECT_FALSE(alpha->meaning.empty());
-  EXPECT_TRUE(alpha->presets.empty());
-  const auto eta = std::find_if(parameters.begin(), parameters.end(),
-                                [](const auto& p) { return p.name == "eta"; });
-  ASSERT_NE(eta, parameters.end());
-  ASSERT_FALSE(eta->presets.empty());
-  EXPECT_EQ(eta->presets[0].name, "gold");
-  EXPECT_EQ(eta->presets[0].values, (std::vector{0.14, 0.43, 1.38}));
-  EXPECT_THAT(eta->presets[0].source, HasSubstr("1972"));
-  EXPECT_EQ(eta->preset_partner, "k");
-
-  auto none = connect("tcp").list_models("gggx");
-  ASSERT_FALSE(none.ok());
-  EXPECT_EQ(none.error().code, ErrorCode::not_found);
-  EXPECT_THAT(none.error().message, HasSubstr("gggx"));
 }
 
 TEST_F(ClientTest, EvaluatesAFormula) {
@@ -252,52 +196,6 @@ TEST_F(ClientTest, ChunksComeToTheSinkInOrder) {
   ASSERT_TRUE(report.ok()) << report.error().message;
   EXPECT_TRUE(results.same_as(expected));
   EXPECT_EQ(wi, pairs.wi);
-}
-
-TEST_F(ClientTest, GridIsTheSameInOneCallAndInRuns) {
-  client::Grid grid;
-  grid.theta_i = {0, 0.3, 1.2};
-  grid.phi_i = {0, 2};
-  grid.theta_o = {0.1, 0.5, 0.9, 1.5, 1.7};
-  grid.phi_o = {0, 1, 2, 3, 4, 5, 6};
-  const std::size_t pairs = 3 * 2 * 5 * 7;
-  std::vector<float> expected(3 * pairs), values(3 * pairs);
-  std::vector<std::uint8_t> expected_flags(pairs), flags(pairs);
-  auto whole = connect("tcp").evaluate(ggx(), grid, expected, expected_flags);
-  ASSERT_TRUE(whole.ok()) << whole.error().message;
-  EXPECT_EQ(whole->pairs, pairs);
-  EXPECT_GT(whole->flagged, 0U);
-  for (const std::size_t chunk : {1U, 3U, 7U, 20U, 35U, 69U, 71U, 209U}) {
-    ClientOptions options;
-    options.chunk_pairs = chunk;
-    auto report = connect("tcp", options).evaluate(ggx(), grid, values, flags);
-    ASSERT_TRUE(report.ok()) << report.error().message;
-    EXPECT_EQ(std::memcmp(values.data(), expected.data(), values.size() * sizeof(float)), 0)
-        << chunk;
-    EXPECT_EQ(flags, expected_flags) << chunk;
-  }
-  std::size_t seen = 0;
-  const client::ChunkSink<double, double> sink = [&](const client::Chunk<double, double>& chunk) {
-    EXPECT_TRUE(chunk.wi.empty());
-    seen += chunk.pairs;
-    return Ok{};
-  };
-  auto report = connect("tcp").evaluate_chunks<double>(ggx(), grid, sink);
-  ASSERT_TRUE(report.ok()) << report.error().message;
-  EXPECT_EQ(seen, pairs);
-}
-
-TEST_F(ClientTest, HalfAngleGrid) {
-  client::Grid grid;
-  grid.theta_h = {0, 0.5};
-  grid.theta_d = {0, 0.2, 0.4};
-  grid.phi_d = {0, 1, 2, 3};
-  std::vector<float> expected(3 * 24), values(3 * 24);
-  ASSERT_TRUE(connect("tcp").evaluate(ggx(), grid, expected).ok());
-  ClientOptions options;
-  options.chunk_pairs = 5;
-  ASSERT_TRUE(connect("tcp", options).evaluate(ggx(), grid, values).ok());
-  EXPECT_EQ(values, expected);
 }
 
 TEST_F(ClientTest, NoPairsStillCheckTheMaterial) {

@@ -62,7 +62,7 @@ class LongFit {
 };
 
 TEST_F(FitLimits, EndsSoonWhenItIsCancelled) {
-  start_with([](ServerOptions& options) { options.fit_threads = 1; });
+  start_with([](server::ServerOptions& options) { options.fit_threads = 1; });
   const Measured measured(200'000 / kSlower);
   client::FitOptions options;
   options.polish = true;
@@ -104,7 +104,7 @@ TEST_F(FitLimits, KeepsItsDeadlines) {
   EXPECT_EQ(result.error().code, ErrorCode::deadline_exceeded) << result.error().message;
   EXPECT_LT(Clock::now() - start, seconds(5));
 
-  start_with([](ServerOptions& server) { server.longest_fit = milliseconds(50); });
+  start_with([](server::ServerOptions& server) { server.longest_fit = milliseconds(50); });
   options.deadline.reset();
   start = Clock::now();
   result = connect("tcp").fit(measured.data(), slow_form(), options);
@@ -114,7 +114,7 @@ TEST_F(FitLimits, KeepsItsDeadlines) {
 }
 
 TEST_F(FitLimits, IsRefusedWhereTooManyWait) {
-  start_with([](ServerOptions& options) {
+  start_with([](server::ServerOptions& options) {
     options.fit_threads = 1;
     options.max_fits = 2;
   });
@@ -137,7 +137,7 @@ TEST_F(FitLimits, IsRefusedWhereTooManyWait) {
 
 // What is alone may hold more than the quota; another beside it may not.
 TEST_F(FitLimits, MemoryThatIsFullIsSaidToBe) {
-  start_with([](ServerOptions& server) {
+  start_with([](server::ServerOptions& server) {
     server.memory_quota_bytes = server.max_message_bytes = std::size_t{16} << 20;
   });
   const Measured measured(20'000 / kSlower);
@@ -155,7 +155,8 @@ TEST_F(FitLimits, MemoryThatIsFullIsSaidToBe) {
 }
 
 TEST_F(FitLimits, ARequestThatIsTooLargeSaysWhatIsAllowed) {
-  start_with([](ServerOptions& server) { server.max_message_bytes = std::size_t{1} << 20; });
+  start_with(
+      [](server::ServerOptions& server) { server.max_message_bytes = std::size_t{1} << 20; });
   const Measured measured(40'000);
   const auto refused = connect("tcp").fit(measured.data(), form());
   ASSERT_FALSE(refused.ok());

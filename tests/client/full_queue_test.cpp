@@ -14,11 +14,11 @@ constexpr std::size_t kPairs = 300'000;
 class FullQueue : public ServerFixture, public ::testing::WithParamInterface<std::size_t> {
  protected:
   void SetUp() override {
-    ServerOptions options;
+    server::ServerOptions options;
     options.addresses = {"127.0.0.1:0"};
     options.threads = 1;
     options.max_queued_jobs = GetParam();
-    auto server = Server::start(options);
+    auto server = server::Server::start(options);
     ASSERT_TRUE(server.ok()) << server.error().message;
     server_ = std::move(server).value();
   }

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "client/support/fake_service.h"
-#include "client/support/pairs.h"
+#include "client/support/retry_fixture.h"
 #include "gonio/client/client.h"
 
 namespace gonio::test {
@@ -21,41 +20,6 @@ using client::Material;
 using client::Report;
 using std::chrono::milliseconds;
 using ::testing::HasSubstr;
-
-ClientOptions quick() {
-  ClientOptions options;
-  options.backoff = milliseconds(2);
-  options.chunk_pairs = 100;
-  return options;
-}
-
-class Retry : public ::testing::Test {
- protected:
-  // Evaluates `count` pairs and checks every value of a success.
-  Result<Report> evaluate(std::size_t count, const ClientOptions& options = quick()) {
-    auto client = Client::connect(server_->address(), options);
-    if (!client) return client.error();
-    const RandomPairs<float> pairs(count);
-    std::vector<float> values(count * kFakeChannels, -1);
-    std::vector<std::uint8_t> flags(count, 255);
-    auto report = client->evaluate(Material::named("x"), pairs.wi, pairs.wo, values, flags);
-    if (!report) return report;
-    for (std::size_t i = 0; i < count; ++i) {
-      for (int c = 0; c < kFakeChannels; ++c) {
-        const std::size_t at = i * kFakeChannels + static_cast<std::size_t>(c);
-        EXPECT_EQ(values[at], fake_value(pairs.wi[3 * i + 2], pairs.wo[3 * i + 2], c)) << i;
-      }
-      EXPECT_EQ(flags[i], 0);
-    }
-    return report;
-  }
-
-  FakeService& service() {
-    server_->handlers_ended();
-    return server_->service;
-  }
-  std::unique_ptr<FakeServer> server_ = std::make_unique<FakeServer>();
-};
 
 TEST_F(Retry, CallIsRepeatedWhileTheServerIsUnavailable) {
   service().unary_failures = 3;
@@ -251,55 +215,6 @@ TEST_F(Retry, ErrorOfSourceOrSinkIsPassedOn) {
   report = client->evaluate_chunks<float, float>(Material::named("x"), source, refuse);
   ASSERT_FALSE(report.ok());
   EXPECT_EQ(report.error().message, "mine");
-}
-
-// 40 directions, whose x says which one it is, with 25 samples each.
-class SampleRetry : public Retry {
- protected:
-  static constexpr std::size_t kDirections = 40, kPerWi = 25;
-
-  SampleRetry() : wi_(3 * kDirections), wo_(3 * kSamples), pdf_(kSamples), weights_(kSamples) {
-    for (std::size_t i = 0; i < kDirections; ++i) wi_[3 * i] = static_cast<float>(i);
-  }
-
-  Result<Report> sample() {
-    auto client = Client::connect(server_->address(), quick());
-    if (!client) return client.error();
-    client::SampleBatch<float> batch;
-    batch.wi = wi_;
-    batch.per_wi = kPerWi;
-    return client->sample(Material::named("x"), batch, {wo_, pdf_, weights_, {}});
-  }
-
-  static constexpr std::size_t kSamples = kDirections * kPerWi;
-  std::vector<float> wi_, wo_, pdf_, weights_;
-};
-
-TEST_F(SampleRetry, WhatABrokenStreamLostIsDrawnAgain) {
-  service().break_after = 3;
-  auto report = sample();
-  ASSERT_TRUE(report.ok()) << report.error().message;
-  EXPECT_EQ(report->retries, 1);
-  EXPECT_EQ(service().streams, 2);
-  for (std::size_t i = 0; i < kSamples; ++i) {
-    EXPECT_EQ(pdf_[i], static_cast<float>(i));
-    EXPECT_EQ(weights_[i], static_cast<float>(i / kPerWi));
-  }
-}
-
-TEST_F(SampleRetry, AnswersOfWrongLengthsAreErrors) {
-  const std::vector<std::function<void(gonio::v1::SampleResponse&)>> spoils = {
-      [](auto& samples) { samples.mutable_pdf()->RemoveLast(); },
-      [](auto& samples) { samples.mutable_wo()->RemoveLast(); },
-      [](auto& samples) { samples.add_weights(1); }, [](auto& samples) { samples.set_flags("x"); },
-      [](auto& samples) { samples.set_channels(0); }};
-  for (const auto& spoil : spoils) {
-    server_ = std::make_unique<FakeServer>();  // as above: the one before may still be at work
-    service().spoil_samples = spoil;
-    auto report = sample();
-    ASSERT_FALSE(report.ok());
-    EXPECT_THAT(report.error().message, HasSubstr("makes no sense"));
-  }
 }
 
 }  // namespace

@@ -32,11 +32,11 @@ TEST_F(SameFit, OnOneThreadAndOnTwoAndBesideAnother) {
   options.scan_pairs = 500;
   options.starts = 3;
   v1::FitResult one, two[2];
-  start_with([](ServerOptions& server) { server.threads = server.fit_threads = 1; });
+  start_with([](server::ServerOptions& server) { server.threads = server.fit_threads = 1; });
   const auto alone = connect("tcp").fit(measured.data(), form(), options);
   ASSERT_TRUE(alone.ok()) << alone.error().message;
   one = without_times(*alone);
-  start_with([](ServerOptions& server) { server.threads = server.fit_threads = 2; });
+  start_with([](server::ServerOptions& server) { server.threads = server.fit_threads = 2; });
   const auto fit = [&](v1::FitResult& found) {
     const auto result = connect("unix").fit(measured.data(), form(), options);
     ASSERT_TRUE(result.ok()) << result.error().message;

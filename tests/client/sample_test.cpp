@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "client/support/pairs.h"
-#include "client/support/server_fixture.h"
+#include "client/support/sample_fixture.h"
 #include "gonio/client/client.h"
 
 namespace gonio::test {
@@ -20,39 +19,6 @@ using client::SampleChunk;
 using client::Samples;
 using client::Sequence;
 using ::testing::HasSubstr;
-
-template <class T>
-struct Drawn {
-  std::vector<T> wo, pdf, weights;
-  std::vector<std::uint8_t> flags;
-
-  explicit Drawn(std::size_t samples)
-      : wo(3 * samples, T{-1}), pdf(samples, T{-1}), weights(3 * samples), flags(samples, 255) {}
-  [[nodiscard]] Samples<T> results() { return {wo, pdf, weights, flags}; }
-  bool operator==(const Drawn&) const = default;
-};
-
-// Directions above the horizon.
-template <class T>
-std::vector<T> directions(std::size_t count) {
-  std::vector<T> wi = RandomPairs<T>(count).wi;
-  for (std::size_t i = 2; i < wi.size(); i += 3)
-    wi[i] = std::max(std::abs(wi[i]), static_cast<T>(1e-3));
-  return wi;
-}
-
-class SampleTest : public ServerFixture {
- protected:
-  template <class T>
-  static Drawn<T> drawn(const client::Client& client, const SampleBatch<T>& batch,
-                        std::size_t samples, client::Report* report = nullptr) {
-    Drawn<T> to(samples);
-    auto said = client.sample(ggx(), batch, to.results());
-    EXPECT_TRUE(said.ok()) << said.error().message;
-    if (said && report != nullptr) *report = *said;
-    return to;
-  }
-};
 
 TEST_F(SampleTest, TransportsAndChunksChangeNoBit) {
   const auto wi = directions<float>(37);
@@ -171,54 +137,6 @@ TEST_F(SampleTest, PdfsOfPairsAreThoseOfTheSamples) {
   }
   EXPECT_THAT(connect("tcp").evaluate_with_pdf(ggx(), wi, samples.wo, values, {}).error().message,
               HasSubstr("the length of pdf is 0"));
-}
-
-TEST_F(SampleTest, Albedos) {
-  const std::vector<float> wi = {0, 0, 1, 0.6F, 0, 0.8F, 0, 0, -1};
-  auto one = connect("unix").integrate(ggx(), wi, 20'000, {Sequence::random, 1});
-  ASSERT_TRUE(one.ok()) << one.error().message;
-  ASSERT_EQ(one->albedo.size(), 9U);
-  EXPECT_EQ(one->flags, (std::vector<std::uint8_t>{0, 0, client::flag::incident_below_horizon}));
-  auto sobol = connect("unix").integrate(ggx(), wi, 16'384, {Sequence::sobol, 1});
-  ASSERT_TRUE(sobol.ok());
-  for (std::size_t k = 0; k < 6; ++k) {
-    EXPECT_GT(one->standard_error[k], 0);
-    EXPECT_NEAR(one->albedo[k], sobol->albedo[k], 5 * one->standard_error[k]);
-  }
-  EXPECT_EQ(one->report.pairs, 60'000U);
-  auto none = connect("unix").integrate(ggx(), std::span<const float>(), 2);
-  ASSERT_TRUE(none.ok());
-  EXPECT_EQ(none->report.channels, 3);
-}
-
-// More directions than go into one call.
-TEST_F(SampleTest, ManyAlbedosAreTheSameAsOneByOne) {
-  const auto wi = directions<double>(3000);
-  auto all = connect("unix").integrate(ggx(), wi, 64);
-  ASSERT_TRUE(all.ok()) << all.error().message;
-  ASSERT_EQ(all->lost.size(), 3000U);
-  SampleBatch<double> batch;
-  batch.wi = wi;
-  batch.per_wi = 64;
-  batch.first = 2999 * 64;
-  const auto last = drawn(connect("unix"), batch, 64);
-  double sum = 0;
-  for (std::size_t i = 0; i < 64; ++i) sum += last.weights[3 * i];
-  EXPECT_NEAR(all->albedo[3 * 2999], sum / 64, 1e-14);
-}
-
-// An albedo is that of its direction, however many others are asked for with it.
-TEST_F(SampleTest, AlbedosOfEveryNumberOfDirectionsAreTheSame) {
-  const auto wi = directions<float>(4001);
-  const auto all = connect("unix").integrate(ggx(), wi, 16);
-  ASSERT_TRUE(all.ok()) << all.error().message;
-  for (const std::size_t size : {1U, 2U, 3U, 5U, 4001U}) {
-    const auto some = connect("unix").integrate(ggx(), std::span(wi).first(3 * size), 16);
-    ASSERT_TRUE(some.ok()) << some.error().message;
-    ASSERT_EQ(some->albedo.size(), 3 * size);
-    EXPECT_TRUE(std::equal(some->albedo.begin(), some->albedo.end(), all->albedo.begin())) << size;
-    EXPECT_TRUE(std::equal(some->flags.begin(), some->flags.end(), all->flags.begin())) << size;
-  }
 }
 
 TEST_F(SampleTest, WrongLengthsAreErrors) {

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 class Select : public FitFixture {
  protected:
   void SetUp() override {
-    start_with([](ServerOptions& server) { server.fits_give_way = false; });
+    start_with([](server::ServerOptions& server) { server.fits_give_way = false; });
   }
 };
 

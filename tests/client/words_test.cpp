@@ -5,7 +5,6 @@
 #include <cctype>
 #include <string>
 
-#include "fit/linear/objective.h"
 #include "gonio/client/fit.h"
 #include "gonio/client/select.h"
 #include "gonio/v1/fit.pb.h"

@@ -139,7 +139,7 @@ def served(named):
     yield Case("server", "fit, select", f"gonio fit --server $LISTEN --data gloss --model ggx:schlick -o material.json --report report.json;"
                                         f" gonio select --server $LISTEN --reference gloss --scene {IN}scene.json --costs {IN}costs.json"
                                         " --lobes 1 -o choice.json --report choice_report.json; "
-                                        "gonio chart --server $LISTEN --quick --parts approximations,resolution -o chart", server=True)
+                                        "gonio chart --server $LISTEN --quick --parts approximations -o chart", server=True)
 
 
 def tables_named(tables):

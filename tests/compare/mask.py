@@ -10,7 +10,6 @@
 import csv
 import io
 import json
-import pathlib
 import re
 
 # Of a chart: times, their quartiles, how often was timed, what is made from a time, and what no faster choice beats.
@@ -55,20 +54,20 @@ def without_cpu_seconds(text):
     return "\n".join(lines)
 
 
-def masked(name, content, folder, charts):
-    """What of a file or stream is compared, as bytes; charts: the command was `gonio chart`."""
-    content = content.replace(str(folder).encode(), b"FOLDER")
-    suffix = pathlib.PurePath(name).suffix
-    if charts and suffix in (".svg", ".png", ".gp"):
+def masked(path, folder):
+    """What of a file or stream is compared, as bytes; folder is that in which the command ran."""
+    chart = (path.parent / "chart.json").exists()
+    if chart and path.suffix in (".svg", ".png", ".gp"):
         return b"drawn from times"
+    content = path.read_bytes().replace(str(folder).encode(), b"FOLDER")
     try:
         text = content.decode()
     except UnicodeDecodeError:
         return content
-    if charts and suffix == ".csv":
+    if chart and path.suffix == ".csv":
         text = csv_text(text)
-    elif charts and suffix == ".json":
+    elif path.name == "chart.json":
         text = chart_json(text)
-    elif suffix in ("", ".md", ".txt", ".json"):
+    elif path.suffix in ("", ".md", ".txt", ".json"):
         text = SECONDS.sub("*", without_cpu_seconds(SECONDS_KEY.sub(r"\1: *", text)))
     return text.encode()

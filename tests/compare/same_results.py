@@ -11,7 +11,6 @@ Prints a line for each group (or only for those named), and each difference. Exi
 """
 
 import argparse
-import collections
 import concurrent.futures
 import os
 import pathlib
@@ -30,7 +29,8 @@ from mask import masked  # noqa: E402
 from servers import Servers  # noqa: E402
 
 INSTRUCTION_SETS = ("baseline", "avx2", "avx512")
-LONGEST_SECONDS = 300
+LONGEST_SECONDS = 600
+UNENDED = b"did not end"  # is never the same
 SHOWN = 20  # differences of a group
 
 
@@ -50,20 +50,19 @@ def results(folder, case, binaries, listen):
                              stdin=subprocess.DEVNULL, timeout=LONGEST_SECONDS)
         streams = {"stdout": run.stdout, "stderr": run.stderr, "exit status": str(run.returncode).encode()}
     except subprocess.TimeoutExpired:
-        streams = {"exit status": b"did not end"}
+        streams = {"exit status": UNENDED}
     for name, content in streams.items():
         (folder / name).write_bytes(content)
     files = sorted(path for path in folder.rglob("*") if path.is_file() and not path.is_symlink())
-    charts = "gonio chart" in case.command
-    return {path.relative_to(folder).as_posix(): masked(path.name, path.read_bytes(), folder, charts) for path in files}
+    return {path.relative_to(folder).as_posix(): masked(path, folder) for path in files}
 
 
 def differences(case, number, folder, binaries, servers):
-    """The names of what differs. Keeps the folders of a case that does."""
+    """The names of what differs, the old exit status and the number of outputs. Keeps the folders of a case that differs."""
     found, places = [], {side: folder / side / str(number) for side in binaries}
     made = {side: results(places[side], case, binaries[side], case.server and servers.address(side)) for side in binaries}
     for name in sorted(set(made["old"]) | set(made["new"])):
-        if made["old"].get(name) != made["new"].get(name):
+        if made["old"].get(name) != made["new"].get(name) or made["old"][name] == UNENDED:
             found.append(name)
     if not found:
         for place in places.values():
@@ -71,25 +70,27 @@ def differences(case, number, folder, binaries, servers):
     return found, made["old"].get("exit status"), len(made["old"])
 
 
+def group_line(name, done):
+    """What is printed of a group, from the differences, exit statuses and numbers of outputs of its cases."""
+    differing = sum(bool(found) for found, _, _ in done)
+    return (f"{name:<10} {sum(count for _, _, count in done):>6} outputs of {len(done):>4} commands, "
+            f"{sum(status != b'0' for _, status, _ in done)} of which fail: {len(done) - differing} the same, {differing} differ")
+
+
 def compare(all_cases, folder, binaries, servers):
     """Runs all cases and prints the groups in order; returns the number of differing cases."""
-    same, failing, outputs, differing = (collections.Counter() for _ in range(4))
-    lines = collections.defaultdict(list)
+    total, done, lines = 0, [], []
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         work = [pool.submit(differences, case, number, folder, binaries, servers) for number, case in enumerate(all_cases)]
-        for number, (case, done) in enumerate(zip(all_cases, work)):
-            found, status, count = done.result()
-            same[case.group] += not found
-            differing[case.group] += bool(found)
-            failing[case.group] += status != b"0"
-            outputs[case.group] += count
-            if found:
-                lines[case.group].append(f"    {case.name}: {', '.join(found)} (old/{number}, new/{number})")
-    for group in dict.fromkeys(case.group for case in all_cases):
-        print(f"{group:<10} {outputs[group]:>6} outputs of {same[group] + differing[group]:>4} commands, {failing[group]} of which fail: "
-              f"{same[group]} the same, {differing[group]} differ")
-        print("".join(line + "\n" for line in lines[group][:SHOWN]), end="")
-    return sum(differing.values())
+        for number, case in enumerate(all_cases):
+            done.append(work[number].result())
+            if found := done[-1][0]:
+                total += 1
+                lines.append(f"    {case.name}: {', '.join(found)} (old/{number}, new/{number})")
+            if number + 1 == len(all_cases) or all_cases[number + 1].group != case.group:
+                print("\n".join([group_line(case.group, done), *lines[:SHOWN]]), flush=True)
+                done, lines = [], []
+    return total
 
 
 def arguments():
@@ -114,13 +115,14 @@ def main():
     print(f"instruction sets: {', '.join(isas)}; not on this processor: {', '.join(set(INSTRUCTION_SETS) - set(isas)) or 'none'}; "
           f"tables: {', '.join(tables)}", flush=True)
     from_pages, left_out = pages.page_cases(tables)
-    chosen = [case for case in [*cases.all_cases(models, tables, isas), *from_pages]
-              if not given.groups or case.group in given.groups]
+    every = [*cases.all_cases(models, tables, isas), *from_pages]
+    chosen = sorted((case for case in every if not given.groups or case.group in given.groups), key=lambda case: case.group)
     if not chosen:
         sys.exit(f"no group of {given.groups}")
     with Servers(folder, binaries) as servers:
         differing = compare(chosen, folder, binaries, servers)
-    print("\n".join(left_out))
+    if any(case.group == "pages" for case in chosen):
+        print("\n".join(left_out))
     print(f"{differing} commands differ; they are kept in {folder}" if differing else "all the same")
     if not differing and not given.folder:
         shutil.rmtree(folder)

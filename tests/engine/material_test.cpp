@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "engine/one_value.h"
 #include "gonio/engine/evaluate.h"
@@ -87,7 +88,7 @@ TEST(Material, WantsChannelsToAgreeAcrossParts) {
 TEST(Material, SpreadsOneNumberOverAllChannels) {
   const auto f = value({{}, lobe("lambertian", {{"rd", Colour{0.1, 0.2, 0.3}}}), {lobe("ggx")}});
   const auto specular = value({lobe("ggx"), {}, {}});
-  const double pi = 3.14159265358979323846;
+  const double pi = std::numbers::pi;
   ASSERT_EQ(f.size(), 3U);
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_NEAR(f[c], 0.1 * static_cast<double>(c + 1) / pi + specular[0], 1e-14);

@@ -55,7 +55,7 @@ double error_tolerance_of(fit::Objective objective) {
 void expect_same(const fit::FitResult& result, const fit::FitResult& reference, double factor) {
   const auto& got = result.certificate.parameters;
   const auto& expected = reference.certificate.parameters;
-  const fit::Objective objective = result.certificate.objective;
+  const fit::Objective objective = *result.certificate.objective;
   ASSERT_EQ(got.size(), expected.size());
   for (std::size_t i = 0; i < got.size(); ++i) {
     const bool scales = got[i].field.ends_with("scale");
@@ -66,7 +66,7 @@ void expect_same(const fit::FitResult& result, const fit::FitResult& reference, 
                 error_tolerance_of(objective))
         << got[i].field;
     EXPECT_EQ(got[i].at_bound, expected[i].at_bound) << got[i].field;
-    EXPECT_EQ(got[i].determined, expected[i].determined) << got[i].field;
+    EXPECT_EQ(got[i].undetermined, expected[i].undetermined) << got[i].field;
   }
 }
 

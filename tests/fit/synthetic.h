@@ -10,6 +10,7 @@
 
 #include "fit/data/data.h"
 #include "fit/fit.h"
+#include "fit/report/metrics.h"
 #include "gonio/engine/evaluate.h"
 
 namespace gonio::testing {

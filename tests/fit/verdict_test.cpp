@@ -50,7 +50,7 @@ void expect_names_enough(const fit::Certificate& report) {
 }
 
 void expect_said(const fit::ParameterReport& p) {
-  if (p.determined) {
+  if (!p.undetermined) {
     EXPECT_LT(p.standard_error, 1e7) << p.field;
   } else {
     EXPECT_EQ(p.standard_error, 0) << p.field;

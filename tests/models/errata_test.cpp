@@ -7,12 +7,13 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <numbers>
 
 namespace gonio::testing {
 namespace {
 
 using Vector = Vec<double>;
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = std::numbers::pi;
 const Vector kNormal{0, 0, 1};
 
 // The library's f in float64.

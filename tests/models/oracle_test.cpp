@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <iostream>
+#include <numbers>
 #include <random>
 
 #include "models/harness/compare.h"
@@ -17,7 +18,7 @@ namespace {
 
 using Long = long double;
 using Vector = Vec<Long>;
-constexpr Long kDegree = 3.14159265358979323846264338327950288L / 180;
+constexpr Long kDegree = std::numbers::pi_v<Long> / 180;
 
 Vector spherical(Long theta, Long phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
@@ -74,7 +75,7 @@ TEST(Oracle, TakesAConductorWithoutExtinctionForADielectric) {
 
 TEST(Oracle, HasTheKnownValuesAtNormalIncidence) {
   const Vector n{0, 0, 1};
-  const double pi = 3.14159265358979323846;
+  const double pi = std::numbers::pi;
   EXPECT_NEAR(value(alone("lambertian", {{"rd", number(0.3)}}), n, n), 0.3 / pi, 1e-15);
   EXPECT_NEAR(value(alone("cook_torrance", {{"m", number(0.5)}}), n, n), 1 / (4 * pi * 0.25),
               1e-15);

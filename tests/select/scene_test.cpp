@@ -13,7 +13,6 @@
 namespace gonio::testing {
 namespace {
 
-using select::Direction;
 using std::numbers::pi;
 using ::testing::HasSubstr;
 

@@ -14,9 +14,10 @@
 #include "measured/temp_folder.h"
 #include "server/support/harness.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
+using gonio::testing::TempFolder;
 using ::testing::HasSubstr;
 
 ServerOptions listening_on(const std::string& address) {
@@ -189,4 +190,4 @@ TEST(Address, SeveralAtOnce) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -13,9 +13,11 @@
 #include "server/support/harness.h"
 #include "wire/convert.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
+using gonio::testing::kSlower;
+using gonio::testing::WorkClock;
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 using Clock = WorkClock;  // a million pairs a place are half a minute's work
@@ -164,4 +166,4 @@ TEST(AssessCall, LeavesEvaluationAlone) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -9,7 +9,7 @@
 #include <chrono>
 #include <future>
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 BackgroundQueue::Job job(
@@ -67,4 +67,4 @@ TEST(BackgroundQueue, RunsBehindAllElse) {
 }
 
 }  // namespace
-}  // namespace gonio
+}  // namespace gonio::server

@@ -8,11 +8,12 @@
 #include <limits>
 
 #include "engine/truth/truth.h"
+#include "numeric/direction.h"
 #include "server/materials/build_material.h"
 #include "server/support/sample_requests.h"
 #include "wire/convert.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -58,11 +59,7 @@ struct RandomPairs {
   }
 
  private:
-  using Direction = std::array<double, 3>;
   double uniform() { return std::uniform_real_distribution<double>(0, 1)(random_); }
-  static Direction spherical(double theta, double phi) {
-    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-  }
   Direction hemisphere() {
     return spherical(std::acos(uniform()), 6.28318530717958648 * uniform());
   }
@@ -180,4 +177,4 @@ INSTANTIATE_TEST_SUITE_P(Materials, Bounds, ::testing::ValuesIn(materials()),
                          });
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -11,7 +11,7 @@
 #include "server/work/evaluation.h"
 #include "wire/codec.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
 using namespace std::chrono_literals;
@@ -145,4 +145,4 @@ TEST(Cancel, ManyAbandonedStreamsLeaveNothingBehind) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -9,9 +9,11 @@
 #include "server/messages/chart_request.h"
 #include "server/support/progress_client.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
+using gonio::testing::kSlower;
+using gonio::testing::WorkClock;
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 
@@ -116,4 +118,4 @@ TEST(ChartCall, KeepsTheServersOwnDeadline) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

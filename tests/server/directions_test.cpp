@@ -7,7 +7,7 @@
 
 #include "server/support/harness.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
 using ::testing::HasSubstr;
@@ -96,4 +96,4 @@ TEST(InstructionSet, OneThatTheProcessorLacksIsRefused) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

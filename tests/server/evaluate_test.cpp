@@ -5,7 +5,7 @@
 #include "gonio/engine/grid.h"
 #include "server/support/harness.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
 using ::testing::ElementsAreArray;
@@ -176,4 +176,4 @@ TEST(Evaluate, InstructionSetIsTheOneAskedFor) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -19,9 +19,12 @@
 #include "server/support/harness.h"
 #include "wire/sha256.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
+using gonio::testing::glossy_example;
+using gonio::testing::TempFolder;
+using gonio::testing::write_merl;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -372,4 +375,4 @@ TEST(Goniod, AKilledServerLeavesASocketThatTheNextOneReplaces) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -9,7 +9,7 @@
 #include "wire/bytes.h"
 #include "wire/fields.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
 using namespace std::chrono_literals;
@@ -134,4 +134,4 @@ TEST(Shutdown, TwiceIsOnce) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -7,7 +7,7 @@
 #include "server/support/sample_requests.h"
 #include "server/work/moments.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
 using ::testing::HasSubstr;
@@ -126,4 +126,4 @@ TEST(Integrate, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

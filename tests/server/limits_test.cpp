@@ -10,7 +10,7 @@
 #include "server/support/raw_call.h"
 #include "wire/fields.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
 using ::testing::HasSubstr;
@@ -193,4 +193,4 @@ TEST(Limits, ServerOptionsAreChecked) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -7,7 +7,7 @@
 #include "gonio/engine/registry.h"
 #include "server/support/harness.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
 using ::testing::HasSubstr;
@@ -86,4 +86,4 @@ TEST(ListModels, AnUnknownNameIsNotFound) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -6,7 +6,7 @@
 
 #include "gonio/base/shown.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
 template <class Formatter>
@@ -58,4 +58,4 @@ TEST(Log, AMessageWithoutEndIsCut) {
 }
 
 }  // namespace
-}  // namespace gonio
+}  // namespace gonio::server

@@ -4,7 +4,7 @@
 
 #include "server/support/harness.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
 TEST(MaterialCache, FindsWhatWasKept) {
@@ -61,4 +61,4 @@ TEST(MaterialCache, ErrorsAreNotRemembered) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

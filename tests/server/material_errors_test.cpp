@@ -5,7 +5,7 @@
 #include "server/support/harness.h"
 #include "wire/convert.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
 using ::testing::HasSubstr;
@@ -130,4 +130,4 @@ TEST(MaterialErrors, DeeplyNestedParametersAreRefused) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -13,9 +13,13 @@
 #include "server/support/harness.h"
 #include "wire/convert.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
+using gonio::testing::glossy_example;
+using gonio::testing::Rgb;
+using gonio::testing::TempFolder;
+using gonio::testing::write_merl;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::ElementsAreArray;
@@ -279,4 +283,4 @@ TEST(Materials, AMissingFolderIsNamed) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

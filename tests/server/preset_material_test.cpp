@@ -9,9 +9,10 @@
 #include "measured/temp_folder.h"
 #include "server/materials/materials.h"
 
-namespace gonio {
+namespace gonio::server {
 namespace {
 
+using gonio::testing::TempFolder;
 using ::testing::HasSubstr;
 
 std::string named(const std::string& name) {
@@ -36,7 +37,7 @@ TEST(PresetMaterial, EverySubstanceIsAMaterialOfThreeChannels) {
 }
 
 TEST(PresetMaterial, AStoredMaterialOfThatNameWins) {
-  const gonio::testing::TempFolder folder;
+  const TempFolder folder;
   std::ofstream(folder / "copper.json") << R"({"model": "lambertian", "parameters": {"rd": 0.5}})";
   const auto materials = Materials::load(folder / "");
   ASSERT_TRUE(materials.ok());
@@ -53,4 +54,4 @@ TEST(PresetMaterial, AWrongNameIsAnsweredWithTheNearest) {
 }
 
 }  // namespace
-}  // namespace gonio
+}  // namespace gonio::server

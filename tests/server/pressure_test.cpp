@@ -7,9 +7,10 @@
 #include "server/support/daemon.h"
 #include "server/support/flood.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
+using gonio::testing::kSlower;
 using ::testing::HasSubstr;
 
 constexpr auto kTime = std::chrono::seconds(kSlower == 1 ? 4 : 8);
@@ -43,4 +44,4 @@ TEST_P(Pressure, OfReadersAndOfClientsThatNeverReadEndsNoServer) {
 INSTANTIATE_TEST_SUITE_P(Quotas, Pressure, ::testing::Values(64, 128));
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

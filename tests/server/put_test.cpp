@@ -14,9 +14,12 @@
 #include "server/support/harness.h"
 #include "wire/sha256.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
+using gonio::testing::Rgb;
+using gonio::testing::TempFolder;
+using gonio::testing::write_merl;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -307,4 +310,4 @@ TEST_F(Put, ACancelledUploadLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -5,7 +5,7 @@
 #include "server/support/busy_pool.h"
 #include "server/support/stream_client.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
 using ::testing::HasSubstr;
@@ -87,4 +87,4 @@ TEST(Queue, QueuedJobsAreDoneWhenTheirTurnComes) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -6,8 +6,10 @@
 #include "server/support/harness.h"
 #include "server/support/stream_client.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
+
+using gonio::testing::TempFolder;
 
 std::shared_ptr<grpc::Channel> channel_to(const std::string& target) {
   grpc::ChannelArguments arguments;
@@ -55,4 +57,4 @@ TEST_P(Sameness, OnePairAtATime) {
 INSTANTIATE_TEST_SUITE_P(Threads, Sameness, ::testing::Values(1, 2, 5));
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

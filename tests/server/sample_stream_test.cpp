@@ -6,7 +6,7 @@
 #include "server/support/sample_requests.h"
 #include "server/support/stream_client.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
 using Answers = std::map<std::uint64_t, v1::SampleStreamResponse>;
@@ -76,4 +76,4 @@ TEST(SampleStream, ABadChunkSpoilsNoOther) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

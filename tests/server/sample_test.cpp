@@ -7,7 +7,7 @@
 
 #include "server/support/sample_requests.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
 using ::testing::HasSubstr;
@@ -187,4 +187,4 @@ TEST(Sample, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -13,9 +13,14 @@
 #include "server/messages/select_messages.h"
 #include "server/support/progress_client.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
+using gonio::testing::data_of;
+using gonio::testing::kSlower;
+using gonio::testing::prices_of_all_parts;
+using gonio::testing::scattered_pairs;
+using gonio::testing::WorkClock;
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 
@@ -165,4 +170,4 @@ TEST(SelectCall, KeepsTheServersOwnDeadline) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -6,7 +6,7 @@
 #include "server/support/raw_call.h"
 #include "server/support/stream_client.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 namespace {
 
 using ::testing::HasSubstr;
@@ -170,4 +170,4 @@ TEST(Stream, ASlowReaderHoldsTheServerBack) {
 }
 
 }  // namespace
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

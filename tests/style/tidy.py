@@ -15,6 +15,7 @@ import pathlib
 import shlex
 import subprocess
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Clang does not know all of GCC's warnings, and its -Wconversion says more than GCC's, which is the one that we keep.
@@ -31,10 +32,19 @@ ANALYSED = "src/"
 NOT_ANALYSED = {"src/kernels/kernels.cpp", "src/kernels/analytic_unit.cpp", "src/fit/linear/array_kernels.cpp"}
 
 
+def without_precompiled(command):
+    """The compile command as if no header were precompiled: GCC's are not Clang's, and each source is to include what it uses."""
+    words = shlex.split(command)
+    of_header = {at + offset for at in range(len(words) - 1) for offset in (0, 1)
+                 if words[at] == "-include" and words[at + 1].endswith("cmake_pch.hxx")}
+    return shlex.join(word for at, word in enumerate(words) if at not in of_header and word != "-Winvalid-pch")
+
+
 def commands(build, prefixes):
     """One compile command per source of ours (kernels are compiled several times; the first stands for all)."""
     first = {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
+        entry["command"] = without_precompiled(entry["command"])
         source = pathlib.Path(entry["file"])
         if not source.is_relative_to(ROOT) or source.is_relative_to(ROOT / "build"):
             continue
@@ -74,10 +84,10 @@ def key_of(entry, dependencies, version):
     return digest.hexdigest()
 
 
-def check(build, name):
+def check(database, name):
     analysed = name.startswith(ANALYSED) and name not in NOT_ANALYSED
     checks = [] if analysed else ["--checks=-clang-analyzer-*,-performance-unnecessary-value-param"]
-    command = ["clang-tidy", "--quiet", "-p", build, *checks, *EXTRA, str(ROOT / name)]
+    command = ["clang-tidy", "--quiet", "-p", database, *checks, *EXTRA, str(ROOT / name)]
     run = subprocess.run(command, capture_output=True, text=True)
     return run.returncode == 0, run.stdout + ("" if run.stdout else run.stderr)
 
@@ -95,8 +105,9 @@ def main():
     todo = [name for name in sorted(sources) if not (cache / keys[name]).exists()]
     print(f"clang-tidy: {len(todo)} of {len(sources)} files to check", flush=True)
     failed = 0
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for name, (passed, output) in zip(todo, pool.map(lambda name: check(build, name), todo)):
+    with tempfile.TemporaryDirectory() as database, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        (pathlib.Path(database) / "compile_commands.json").write_text(json.dumps(list(sources.values())))
+        for name, (passed, output) in zip(todo, pool.map(lambda name: check(database, name), todo)):
             if passed:
                 (cache / keys[name]).touch()
             else:

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "timing/pairs.h"
 
@@ -79,7 +80,7 @@ TEST(Pairs, AreEvaluatedInBothPrecisions) {
   EXPECT_EQ(fast.items, 100);
   fast.run();
   evaluation(pairs, *material, Precision::reference, best_isa()).run();
-  constexpr double kPi = 3.14159265358979323846;
+  constexpr double kPi = std::numbers::pi;
   for (std::size_t i = 0; i < 300; ++i) {
     const double wanted = (1.0 + static_cast<double>(i / 100)) / 10 / kPi;
     EXPECT_NEAR(pairs->fast().values.data[i], wanted, 1e-7);

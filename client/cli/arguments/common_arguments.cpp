@@ -2,10 +2,8 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
-
 #include "client/cli/output/check_outputs.h"
-#include "server/arguments/words.h"
+#include "server/arguments/options.h"
 #include "server/materials/preset_material.h"
 
 namespace gonio::cli {
@@ -36,40 +34,37 @@ client::EvaluateOptions CommonArguments::evaluate_options() const {
 }
 
 void add_material_option(CLI::App& command, std::string& material, const std::string& what) {
-  command.add_option("--material,-m", material, what)
-      ->type_name("M")
-      ->required()
-      ->check(arguments::suggest(preset_names()));
+  arguments::add_option(command, "--material,-m", material, what)
+      .type_name("M")
+      .required()
+      .suggest(server::preset_names());
 }
 
 void add_material_options(CLI::App& command, CommonArguments& arguments) {
   add_material_option(command, arguments.material, "What to evaluate (see below)");
-  command
-      .add_option("--precision", arguments.precision,
-                  "fast (float32, the default) or reference (float64)")
-      ->type_name("P")
-      ->check(arguments::one_of({"fast", "reference"}));
-  command
-      .add_option("--isa", arguments.isa,
-                  "Instruction set: auto (the default), baseline, avx2, avx512")
-      ->type_name("SET")
-      ->check(arguments::one_of({"auto", "baseline", "avx2", "avx512"}));
+  arguments::add_option(command, "--precision", arguments.precision,
+                        "fast (float32, the default) or reference (float64)")
+      .type_name("P")
+      .one_of({"fast", "reference"});
+  arguments::add_option(command, "--isa", arguments.isa,
+                        "Instruction set: auto (the default), baseline, avx2, avx512")
+      .type_name("SET")
+      .one_of({"auto", "baseline", "avx2", "avx512"});
   add_connection_options(command, arguments.connection);
 }
 
 void add_result_options(CLI::App& command, CommonArguments& arguments, const std::string& items) {
-  command
-      .add_option("--format", arguments.format,
-                  "csv, json or npy; else by OUT's extension, else csv")
-      ->type_name("F")
-      ->check(arguments::one_of({"csv", "json", "npy"}));
-  command
-      .add_option("-o,--output", arguments.output, "Where the results go; - is stdout, the default")
-      ->type_name("OUT");
-  command.add_flag("--quiet,-q", arguments.quiet,
-                   "No progress bar and no summary of flagged " + items);
-  command.add_flag("--verbose,-v", arguments.verbose,
-                   "Report time, speed, instruction set and accuracy on stderr");
+  arguments::add_option(command, "--format", arguments.format,
+                        "csv, json or npy; else by OUT's extension, else csv")
+      .type_name("F")
+      .one_of({"csv", "json", "npy"});
+  arguments::add_option(command, "-o,--output", arguments.output,
+                        "Where the results go; - is stdout, the default")
+      .type_name("OUT");
+  arguments::add_flag(command, "--quiet,-q", arguments.quiet,
+                      "No progress bar and no summary of flagged " + items);
+  arguments::add_flag(command, "--verbose,-v", arguments.verbose,
+                      "Report time, speed, instruction set and accuracy on stderr");
 }
 
 Result<Format> chosen_format(const CommonArguments& arguments) {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "client/cli/arguments/connection.h"
+#include "client/cli/connection/connection.h"
 #include "client/cli/output/result_writer.h"
 #include "gonio/client/client.h"
 

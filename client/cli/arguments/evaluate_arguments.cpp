@@ -1,8 +1,7 @@
 #include "client/cli/arguments/evaluate_arguments.h"
 
-#include <CLI/CLI.hpp>
-
 #include "client/cli/output/check_outputs.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -36,18 +35,22 @@ Examples:
 }  // namespace
 
 void add_evaluate_options(CLI::App& command, EvaluateArguments& arguments) {
-  command.footer(std::string(kMaterialHelp) + kInput + kFlagHelp + kExamples);
+  arguments::set_footer(command, std::string(kMaterialHelp) + kInput + kFlagHelp + kExamples);
   add_material_options(command, arguments);
-  auto* pairs = command.add_option("--pairs", arguments.pairs,
-                                   "Pairs of directions from a file (see below); - is stdin");
-  pairs->type_name("FILE");
-  command.add_option("--grid", arguments.grid, "In place of --pairs: a grid of angles (see below)")
-      ->type_name("SPEC")
-      ->excludes(pairs);
-  command.add_flag("--deg", arguments.degrees, "Angles are in degrees");
-  command.add_flag("--pdf", arguments.pdf, "Also the densities with which wo would be sampled");
-  command.add_flag("--with-input", arguments.with_input,
-                   "Put the input's columns (directions or angles) before the results; CSV only");
+  const arguments::Option pairs =
+      arguments::add_option(command, "--pairs", arguments.pairs,
+                            "Pairs of directions from a file (see below); - is stdin")
+          .type_name("FILE");
+  arguments::add_option(command, "--grid", arguments.grid,
+                        "In place of --pairs: a grid of angles (see below)")
+      .type_name("SPEC")
+      .excludes(pairs);
+  arguments::add_flag(command, "--deg", arguments.degrees, "Angles are in degrees");
+  arguments::add_flag(command, "--pdf", arguments.pdf,
+                      "Also the densities with which wo would be sampled");
+  arguments::add_flag(
+      command, "--with-input", arguments.with_input,
+      "Put the input's columns (directions or angles) before the results; CSV only");
   add_result_options(command, arguments, "pairs");
 }
 

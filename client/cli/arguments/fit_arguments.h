@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "client/cli/arguments/connection.h"
+#include "client/cli/connection/connection.h"
 #include "gonio/base/result.h"
 #include "gonio/client/fit.h"
 
@@ -35,16 +35,5 @@ void add_fit_options(CLI::App& command, FitArguments& arguments);
 // Errors: the pairs' angles leave nothing, or are none.
 Outcome check_angles(const FitArguments& arguments);
 client::FitOptions fit_options(const FitArguments& arguments);
-
-// What is fitted, and what it is called in the results: "ggx:schlick".
-struct FitForm {
-  std::string name;
-  client::Material material;
-};
-
-// One for each of `--model`; "all" is every analytic model. Errors: a model or base that does not
-// exist, or a model that lacks the word that is asked for.
-Result<std::vector<FitForm>> fit_forms(const FitArguments& arguments,
-                                       const client::Catalogue& catalogue);
 
 }  // namespace gonio::cli

@@ -121,7 +121,7 @@ Error nothing_stored(const std::string& name) {
       "without --server: inline JSON such as '{\"model\": \"ggx\"}', FILE.json, or a substance "
       "('gonio models --presets')";
   if (find_model(name)) allowed = "for this model: '{\"model\": \"" + name + "\"}'";
-  std::vector<std::string> known = preset_names();
+  std::vector<std::string> known = server::preset_names();
   for (const ModelDescription& model : models()) known.emplace_back(model.name);
   std::string hint = did_you_mean(name, std::span<const std::string>(known));
   if (hint.empty() || fs::path(name).has_extension()) hint = near_files(name);
@@ -146,7 +146,7 @@ Result<Material> read_material(const std::string& argument, bool embedded) {
   // As curl and others mean it.
   if (argument[0] == '@' && !exists(argument)) return read_file(argument.substr(1), embedded);
   if (is_file(argument)) return read_file(argument, embedded);
-  if (embedded && !preset_material(argument)) return nothing_stored(argument);
+  if (embedded && !server::preset_material(argument)) return nothing_stored(argument);
   return Material::named(argument);
 }
 

@@ -1,8 +1,6 @@
 #include "client/cli/arguments/number_arguments.h"
 
-#include <CLI/CLI.hpp>
-
-#include "server/arguments/words.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 
@@ -12,15 +10,14 @@ client::NumberSource NumberArguments::source() const {
 }
 
 void add_number_options(CLI::App& command, NumberArguments& arguments) {
-  command.add_option("--count", arguments.count, "Samples of each wi")->type_name("N");
-  command
-      .add_option("--seed", arguments.seed, "Chooses the numbers they are drawn by; 0 if not given")
-      ->type_name("S");
-  command
-      .add_option("--sequence", arguments.sequence,
-                  "random (independent, the default) or sobol (evenly spread)")
-      ->type_name("Q")
-      ->check(arguments::one_of({"random", "sobol"}));
+  arguments::add_option(command, "--count", arguments.count, "Samples of each wi").type_name("N");
+  arguments::add_option(command, "--seed", arguments.seed,
+                        "Chooses the numbers they are drawn by; 0 if not given")
+      .type_name("S");
+  arguments::add_option(command, "--sequence", arguments.sequence,
+                        "random (independent, the default) or sobol (evenly spread)")
+      .type_name("Q")
+      .one_of({"random", "sobol"});
 }
 
 Outcome check_count(const NumberArguments& arguments, std::uint64_t least,

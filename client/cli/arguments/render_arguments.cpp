@@ -1,6 +1,5 @@
 #include "client/cli/arguments/render_arguments.h"
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -11,7 +10,7 @@
 #include "client/cli/output/numbers.h"
 #include "client/picture/image/read.h"
 #include "client/picture/render/sky.h"
-#include "server/arguments/words.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -100,34 +99,35 @@ Outcome check_numbers(const RenderArguments& arguments) {
 }
 
 template <class Value>
-CLI::Option* add(CLI::App& command, const char* name, Value& value, const char* unit,
-                 const char* text) {
-  return command.add_option(name, value, text)->type_name(unit);
+arguments::Option add(CLI::App& command, const char* name, Value& value, const char* unit,
+                      const char* text) {
+  return arguments::add_option(command, name, value, text).type_name(unit);
 }
 
 void add_light_options(CLI::App& command, RenderArguments& arguments) {
   add(command, "--light", arguments.light, "L",
       "directional (the default), sky, or a map FILE.exr or FILE.pfm");
-  auto* direction = add(command, "--light-direction", arguments.light_direction, "X,Y,Z",
-                        "To the directional light; also from below");
-  for (auto* angle : {add(command, "--light-theta", arguments.light_theta, "DEG",
-                          "In its place: the angle from +z, 0 to 180; else 45"),
-                      add(command, "--light-phi", arguments.light_phi, "DEG",
-                          "and that from +x towards +y, -360 to 360; else -60")}) {
-    angle->excludes(direction);
+  const arguments::Option direction = add(command, "--light-direction", arguments.light_direction,
+                                          "X,Y,Z", "To the directional light; also from below");
+  for (const arguments::Option& angle :
+       {add(command, "--light-theta", arguments.light_theta, "DEG",
+            "In its place: the angle from +z, 0 to 180; else 45"),
+        add(command, "--light-phi", arguments.light_phi, "DEG",
+            "and that from +x towards +y, -360 to 360; else -60")}) {
+    angle.excludes(direction);
   }
 }
 
 }  // namespace
 
 void add_render_options(CLI::App& command, RenderArguments& arguments) {
-  command.footer(kFooter);
+  arguments::set_footer(command, kFooter);
   add_material_option(
       command, arguments.material,
       "What the object is made of: JSON, a file or a stored name, as for 'gonio evaluate'");
   add_light_options(command, arguments);
   add(command, "--shape", arguments.shape, "S", "sphere (the default), cylinder, or plane")
-      ->check(arguments::one_of({"sphere", "cylinder", "plane"}));
+      .one_of({"sphere", "cylinder", "plane"});
   add(command, "--size", arguments.size, "WxH", "Pixels, 1x1 to 8192x8192; 512x512 if not given");
   add(command, "--spp", arguments.samples, "N", "Samples a pixel, 1 to 65536; 64 if not given");
   add(command, "--view-elevation", arguments.view.elevation, "DEG",
@@ -142,16 +142,16 @@ void add_render_options(CLI::App& command, RenderArguments& arguments) {
       "Stops, for PNG: the radiance 2^-EV becomes white; -32 to 32, 0 if not given");
   add(command, "--sampling", arguments.sampling, "S",
       "Draw directions from both (the default), the light, or the surface")
-      ->check(arguments::one_of({"both", "light", "surface"}));
+      .one_of({"both", "light", "surface"});
   add(command, "--seed", arguments.seed, "S", "Of the samples, 0 to 4294967295; 0 if not given");
   add(command, "-o,--output", arguments.output, "OUT",
       "The picture: a file that ends in .png or .exr")
-      ->required();
+      .required();
   add_connection_options(command, arguments.connection);
-  command.add_flag("--quiet,-q", arguments.quiet,
-                   "No progress bar and no summary of flagged pairs");
-  command.add_flag("--verbose,-v", arguments.verbose,
-                   "Report time, speed, instruction set and accuracy on stderr");
+  arguments::add_flag(command, "--quiet,-q", arguments.quiet,
+                      "No progress bar and no summary of flagged pairs");
+  arguments::add_flag(command, "--verbose,-v", arguments.verbose,
+                      "Report time, speed, instruction set and accuracy on stderr");
 }
 
 Result<RenderPlan> RenderPlan::of(const RenderArguments& arguments) {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "client/cli/arguments/connection.h"
+#include "client/cli/connection/connection.h"
 #include "client/cli/output/picture.h"
 #include "client/picture/render/camera.h"
 #include "client/picture/render/integrator.h"

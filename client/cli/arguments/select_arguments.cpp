@@ -1,6 +1,6 @@
 #include "client/cli/arguments/select_arguments.h"
 
-#include <CLI/CLI.hpp>
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -39,44 +39,39 @@ Examples, with scene.json {"theta_i": [0, 60], "theta_o": [0, 75], "tolerance": 
 }  // namespace
 
 void add_select_options(CLI::App& command, SelectArguments& arguments) {
-  command.footer(kFooter);
-  command.add_option("--scene", arguments.scene, "What the scene needs (see below)")
-      ->type_name("FILE")
-      ->required();
-  command
-      .add_option("--reference", arguments.reference,
-                  "What is to be replaced (see below), if the scene does not name it")
-      ->type_name("R");
-  command
-      .add_option("--costs", arguments.costs,
-                  "Nanoseconds by part, as JSON: {\"ggx:schlick\": 4.4, ...}; else measured")
-      ->type_name("FILE");
-  command
-      .add_option("--lobes", arguments.options.lobes,
-                  "At most so many specular lobes: 1, or 2 if not given")
-      ->type_name("N")
-      ->check(CLI::Range(1, 2).description(""));
-  command
-      .add_option("--seed", arguments.options.seed,
-                  "Of the choice of pairs, 1 or more; 1 if not given")
-      ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U).description(""));
-  command.add_flag("--no-front", arguments.no_front,
-                   "Stop at the choice: do not look at what costs more");
-  command.add_flag("--deg", arguments.degrees, "Angles of a CSV are in degrees");
-  command.add_flag("--all", arguments.all, "Show what is not on the front, too, and why");
-  command
-      .add_option(
-          "-o,--output", arguments.output,
-          "Where the choice's JSON goes, - is stdout; a folder of NAME.json for a scene that "
-          "names its materials. Nothing is written where that is the reference or nothing")
-      ->type_name("OUT");
-  command
-      .add_option("--report", arguments.report,
-                  "Where all that is known goes, as JSON; - is stdout")
-      ->type_name("OUT");
+  arguments::set_footer(command, kFooter);
+  arguments::add_option(command, "--scene", arguments.scene, "What the scene needs (see below)")
+      .type_name("FILE")
+      .required();
+  arguments::add_option(command, "--reference", arguments.reference,
+                        "What is to be replaced (see below), if the scene does not name it")
+      .type_name("R");
+  arguments::add_option(command, "--costs", arguments.costs,
+                        "Nanoseconds by part, as JSON: {\"ggx:schlick\": 4.4, ...}; else measured")
+      .type_name("FILE");
+  arguments::add_option(command, "--lobes", arguments.options.lobes,
+                        "At most so many specular lobes: 1, or 2 if not given")
+      .type_name("N")
+      .range(1, 2);
+  arguments::add_option(command, "--seed", arguments.options.seed,
+                        "Of the choice of pairs, 1 or more; 1 if not given")
+      .type_name("N")
+      .range(std::uint64_t{1}, std::uint64_t{1} << 62U);
+  arguments::add_flag(command, "--no-front", arguments.no_front,
+                      "Stop at the choice: do not look at what costs more");
+  arguments::add_flag(command, "--deg", arguments.degrees, "Angles of a CSV are in degrees");
+  arguments::add_flag(command, "--all", arguments.all,
+                      "Show what is not on the front, too, and why");
+  arguments::add_option(
+      command, "-o,--output", arguments.output,
+      "Where the choice's JSON goes, - is stdout; a folder of NAME.json for a scene that "
+      "names its materials. Nothing is written where that is the reference or nothing")
+      .type_name("OUT");
+  arguments::add_option(command, "--report", arguments.report,
+                        "Where all that is known goes, as JSON; - is stdout")
+      .type_name("OUT");
   add_connection_options(command, arguments.connection);
-  command.add_flag("--quiet,-q", arguments.quiet, "No progress bar and no table");
+  arguments::add_flag(command, "--quiet,-q", arguments.quiet, "No progress bar and no table");
 }
 
 }  // namespace gonio::cli

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "client/cli/arguments/connection.h"
+#include "client/cli/connection/connection.h"
 #include "gonio/client/select.h"
 
 namespace gonio::cli {

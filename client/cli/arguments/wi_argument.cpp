@@ -1,12 +1,12 @@
 #include "client/cli/arguments/wi_argument.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <utility>
 
 #include "client/cli/output/numbers.h"
 #include "gonio/client/types.h"
 #include "kernels/direction_flags.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 
@@ -17,14 +17,14 @@ float32 or float64, N x 3. Those of a file that cannot be are flagged.
 )";
 
 void add_wi_options(CLI::App& command, WiArguments& arguments) {
-  auto* one = command.add_option("--wi", arguments.wi, "The direction to the light");
-  one->type_name("X,Y,Z");
-  command
-      .add_option("--wi-file", arguments.wi_file,
-                  "In place of --wi: directions from a file (see below); - is stdin")
-      ->type_name("FILE")
-      ->excludes(one);
-  command.add_flag("--deg", arguments.degrees, "Angles are in degrees");
+  const arguments::Option one =
+      arguments::add_option(command, "--wi", arguments.wi, "The direction to the light")
+          .type_name("X,Y,Z");
+  arguments::add_option(command, "--wi-file", arguments.wi_file,
+                        "In place of --wi: directions from a file (see below); - is stdin")
+      .type_name("FILE")
+      .excludes(one);
+  arguments::add_flag(command, "--deg", arguments.degrees, "Angles are in degrees");
 }
 
 Result<std::array<double, 3>> parse_wi(const std::string& text) {

@@ -1,9 +1,8 @@
 #include "client/cli/chart/arguments.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "server/arguments/words.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -25,25 +24,26 @@ bool ChartArguments::wants(const std::string& part) const {
 }
 
 void add_chart_options(CLI::App& command, ChartArguments& arguments) {
-  command
-      .add_option("-o,--output", arguments.folder,
-                  "The folder for all of it; made if it is not there")
-      ->type_name("DIR")
-      ->required();
-  command
-      .add_option(
-          "--data", arguments.data,
-          "A measured material for fits and resolution: a file as 'gonio fit' reads it, or the "
-          "name of a server's; without one, a glossy paint is made up")
-      ->type_name("FILE");
-  command.add_flag("--deg", arguments.degrees, "A CSV's angles are in degrees, not radians");
-  command.add_option("--parts", arguments.parts, "Only these, separated by commas")
-      ->type_name("PART")
-      ->delimiter(',')
-      ->check(arguments::one_of(part_names()));
+  arguments::add_option(command, "-o,--output", arguments.folder,
+                        "The folder for all of it; made if it is not there")
+      .type_name("DIR")
+      .required();
+  arguments::add_option(
+      command, "--data", arguments.data,
+      "A measured material for fits and resolution: a file as 'gonio fit' reads it, or the "
+      "name of a server's; without one, a glossy paint is made up")
+      .type_name("FILE");
+  arguments::add_flag(command, "--deg", arguments.degrees,
+                      "A CSV's angles are in degrees, not radians");
+  arguments::add_option(command, "--parts", arguments.parts, "Only these, separated by commas")
+      .type_name("PART")
+      .delimiter(',')
+      .one_of(part_names());
   add_connection_options(command, arguments.connection);
-  command.add_flag("--quick", arguments.quick, "Fewer and shorter repetitions: rough times");
-  command.add_flag("--quiet,-q", arguments.quiet, "No progress bar, and do not list the files");
+  arguments::add_flag(command, "--quick", arguments.quick,
+                      "Fewer and shorter repetitions: rough times");
+  arguments::add_flag(command, "--quiet,-q", arguments.quiet,
+                      "No progress bar, and do not list the files");
 }
 
 }  // namespace gonio::cli

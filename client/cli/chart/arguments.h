@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "chart/parts.h"
-#include "client/cli/arguments/connection.h"
+#include "client/cli/connection/connection.h"
 
 namespace gonio::cli {
 

@@ -69,13 +69,6 @@ Outcome measure_here(const ChartArguments& arguments, Progress& progress, Chart&
   return Ok{};
 }
 
-chart::Table table_of(const client::ChartTable& from) {
-  chart::Table to{from.name, from.title, {}, from.rows};
-  for (const auto& column : from.columns)
-    to.columns.push_back({column.name, column.unit, column.meaning});
-  return to;
-}
-
 Outcome measure_there(const client::Client& client, const ChartArguments& arguments,
                       Progress& progress, Chart& chart) {
   const chart::Options wanted = options_of(arguments);
@@ -94,12 +87,10 @@ Outcome measure_there(const client::Client& client, const ChartArguments& argume
   }
   client::ChartWatch watch;
   watch.progress = [&](const client::ChartProgress& at) { progress.show(at.done, at.stage); };
-  const auto measured = client.chart(options, watch);
+  auto measured = client.chart(options, watch);
   if (!measured) return measured.error();
-  const client::ChartMachine& machine = measured->machine;
-  chart.machine = {machine.processor, machine.cores,    machine.instruction_sets,
-                   machine.gonio,     machine.compiler, machine.system};
-  for (const auto& table : measured->tables) chart.tables.push_back(table_of(table));
+  chart.machine = measured->machine;
+  chart.tables = std::move(measured->tables);
   return Ok{};
 }
 
@@ -107,16 +98,13 @@ Outcome measure_there(const client::Client& client, const ChartArguments& argume
 // can be.
 Result<chart::Table> measure_wire(const ChartArguments& arguments) {
   ConnectionOptions connection = arguments.connection;
-  std::unique_ptr<Server> own;
+  std::optional<EmbeddedServer> own;
   if (connection.server.empty()) {
     const std::string name = "gonio-chart-" + std::to_string(::getpid());
     connection.server = "unix:" + (fs::temp_directory_path() / name).string();
-    ServerOptions options;
-    options.threads = connection.threads;
-    options.addresses = {connection.server};
-    auto started = Server::start(options);
+    auto started = EmbeddedServer::start_at(connection.server, connection.threads);
     if (!started) return started.error();
-    own = std::move(*started);
+    own.emplace(std::move(*started));
   }
   return chart_wire(
       [&](client::ClientOptions options) {

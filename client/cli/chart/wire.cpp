@@ -101,6 +101,18 @@ chart::Table empty_table(const std::string& transport) {
   return table;
 }
 
+std::vector<chart::Cell> row_of(const Way& way, const timing::Spread& seconds) {
+  const auto pairs = static_cast<double>(way.pairs);
+  std::vector<chart::Cell> row{std::string(way.form),
+                               std::string(way.pairs > way.chunk ? "stream" : "unary"), pairs,
+                               static_cast<double>(way.chunk)};
+  chart::add_time_cells(row, scaled(seconds, 1e6));
+  for (const double x :
+       {1e9 * seconds.best / pairs, 1e9 * seconds.upper / pairs, pairs / seconds.best})
+    row.emplace_back(x);
+  return row;
+}
+
 }  // namespace
 
 Result<chart::Table> chart_wire(
@@ -131,17 +143,7 @@ Result<chart::Table> chart_wire(
   if (*failure) return **failure;
   if (over()) return Error{ErrorCode::cancelled, "the chart was cancelled", {}, {}, {}};
   chart::Table table = empty_table(transport);
-  for (std::size_t i = 0; i < kWays.size(); ++i) {
-    const auto pairs = static_cast<double>(kWays[i].pairs);
-    std::vector<chart::Cell> row{std::string(kWays[i].form),
-                                 std::string(kWays[i].pairs > kWays[i].chunk ? "stream" : "unary"),
-                                 pairs, static_cast<double>(kWays[i].chunk)};
-    chart::add_time_cells(row, scaled(seconds[i], 1e6));
-    for (const double x :
-         {1e9 * seconds[i].best / pairs, 1e9 * seconds[i].upper / pairs, pairs / seconds[i].best})
-      row.emplace_back(x);
-    table.rows.push_back(std::move(row));
-  }
+  for (std::size_t i = 0; i < kWays.size(); ++i) table.rows.push_back(row_of(kWays[i], seconds[i]));
   chart::add_front(table, "us", "ns_a_pair", "");
   return table;
 }

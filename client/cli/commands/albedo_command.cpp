@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -20,7 +19,7 @@
 #include "client/cli/output/terminal.h"
 #include "client/cli/report/albedo_table.h"
 #include "gonio/engine/grid.h"
-#include "server/arguments/words.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -147,31 +146,30 @@ int run(const AlbedoArguments& arguments) {
 
 Command add_albedo_command(CLI::App& app) {
   auto arguments = std::make_shared<AlbedoArguments>();
-  CLI::App* command = app.add_subcommand("albedo", "How much a material reflects, by sampling");
-  command->footer(std::string(kMaterialHelp) + kWiHelp + kFooter);
-  add_material_options(*command, *arguments);
-  command->add_option("--theta", arguments->theta, "Angles of incidence in degrees")
-      ->type_name("ANGLES");
-  command
-      ->add_option("--phi", arguments->phi, "The azimuth of all --theta in degrees; 0 is along u")
-      ->type_name("ANGLE")
-      ->check(CLI::Range(-360.0, 360.0).description(""));
-  add_wi_options(*command, arguments->wi);
-  add_number_options(*command, arguments->numbers);
-  command->get_option("--count")->default_val(kDefaultCount);
-  command->add_flag("--json", arguments->json, "Print JSON in place of a table");
-  command
-      ->add_option("--format", arguments->format,
-                   "text or json (as --json); else by OUT's extension, else text")
-      ->type_name("F")
-      ->check(arguments::one_of({"text", "json"}));
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "Where the results go; - is stdout, the default")
-      ->type_name("OUT");
-  command->add_flag("--verbose,-v", arguments->verbose,
-                    "Report time, speed, instruction set and accuracy on stderr");
-  return {command, [arguments] {
+  CLI::App& command =
+      arguments::add_command(app, "albedo", "How much a material reflects, by sampling");
+  arguments::set_footer(command, std::string(kMaterialHelp) + kWiHelp + kFooter);
+  add_material_options(command, *arguments);
+  arguments::add_option(command, "--theta", arguments->theta, "Angles of incidence in degrees")
+      .type_name("ANGLES");
+  arguments::add_option(command, "--phi", arguments->phi,
+                        "The azimuth of all --theta in degrees; 0 is along u")
+      .type_name("ANGLE")
+      .range(-360.0, 360.0);
+  add_wi_options(command, arguments->wi);
+  add_number_options(command, arguments->numbers);
+  arguments::find_option(command, "--count").default_value(kDefaultCount);
+  arguments::add_flag(command, "--json", arguments->json, "Print JSON in place of a table");
+  arguments::add_option(command, "--format", arguments->format,
+                        "text or json (as --json); else by OUT's extension, else text")
+      .type_name("F")
+      .one_of({"text", "json"});
+  arguments::add_option(command, "-o,--output", arguments->output,
+                        "Where the results go; - is stdout, the default")
+      .type_name("OUT");
+  arguments::add_flag(command, "--verbose,-v", arguments->verbose,
+                      "Report time, speed, instruction set and accuracy on stderr");
+  return {&command, [arguments] {
             return arguments->is_reference() ? run<double>(*arguments) : run<float>(*arguments);
           }};
 }

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "client/cli/output/exit_codes.h"
 #include "client/cli/output/output_file.h"
 #include "client/cli/report/assess_table.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -123,7 +123,7 @@ int run(AssessArguments& arguments) {
 
 void add_limits(CLI::App& command, client::AssessLimits& limits) {
   for (const LimitOption& option : kLimits) {
-    command.add_option(option.name, limits.*option.limit, option.what)->type_name("X");
+    arguments::add_option(command, option.name, limits.*option.limit, option.what).type_name("X");
   }
 }
 
@@ -131,30 +131,27 @@ void add_limits(CLI::App& command, client::AssessLimits& limits) {
 
 Command add_assess_command(CLI::App& app) {
   auto arguments = std::make_shared<AssessArguments>();
-  CLI::App* command =
-      app.add_subcommand("assess", "Where a material fails: accuracy, energy, samples; a verdict");
-  command->footer(std::string(kMaterialHelp) + kFooter);
-  add_material_options(*command, *arguments);
-  command->remove_option(command->get_option("--precision"));  // both are looked at
-  add_limits(*command, arguments->options.limits);
-  command
-      ->add_option("--pairs", arguments->options.pairs,
-                   "Pairs at each place, 1 to 1000000; 4000 if not given")
-      ->type_name("N")
-      ->check(CLI::Range(1U, 1'000'000U).description(""));
-  command
-      ->add_option("--seed", arguments->options.seed,
-                   "Of pairs and samples, 1 or more; 1 if not given")
-      ->type_name("N")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U).description(""));
-  command
-      ->add_option("--report,--json", arguments->report,
-                   "Write all of it as JSON; - is stdout, the table then goes to stderr")
-      ->type_name("FILE");
-  command->add_flag("--quiet,-q", arguments->quiet, "No table");
-  command->add_flag("--verbose,-v", arguments->verbose,
-                    "Say of each place what is special there, and where the worst error is");
-  return {command, [arguments] { return run(*arguments); }};
+  CLI::App& command = arguments::add_command(
+      app, "assess", "Where a material fails: accuracy, energy, samples; a verdict");
+  arguments::set_footer(command, std::string(kMaterialHelp) + kFooter);
+  add_material_options(command, *arguments);
+  arguments::remove_option(command, "--precision");  // both are looked at
+  add_limits(command, arguments->options.limits);
+  arguments::add_option(command, "--pairs", arguments->options.pairs,
+                        "Pairs at each place, 1 to 1000000; 4000 if not given")
+      .type_name("N")
+      .range(1U, 1'000'000U);
+  arguments::add_option(command, "--seed", arguments->options.seed,
+                        "Of pairs and samples, 1 or more; 1 if not given")
+      .type_name("N")
+      .range(std::uint64_t{1}, std::uint64_t{1} << 62U);
+  arguments::add_option(command, "--report,--json", arguments->report,
+                        "Write all of it as JSON; - is stdout, the table then goes to stderr")
+      .type_name("FILE");
+  arguments::add_flag(command, "--quiet,-q", arguments->quiet, "No table");
+  arguments::add_flag(command, "--verbose,-v", arguments->verbose,
+                      "Say of each place what is special there, and where the worst error is");
+  return {&command, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace gonio::cli

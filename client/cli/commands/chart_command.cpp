@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "client/cli/chart/arguments.h"
@@ -7,6 +6,7 @@
 #include "client/cli/commands/commands.h"
 #include "client/cli/output/exit_codes.h"
 #include "client/cli/output/output_file.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -45,11 +45,11 @@ int run(const ChartArguments& arguments) {
 
 Command add_chart_command(CLI::App& app) {
   auto arguments = std::make_shared<ChartArguments>();
-  CLI::App* command =
-      app.add_subcommand("chart", "Speed against accuracy on this machine: tables and figures");
-  command->footer(kFooter);
-  add_chart_options(*command, *arguments);
-  return {command, [arguments] { return run(*arguments); }};
+  CLI::App& command = arguments::add_command(
+      app, "chart", "Speed against accuracy on this machine: tables and figures");
+  arguments::set_footer(command, kFooter);
+  add_chart_options(command, *arguments);
+  return {&command, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace gonio::cli

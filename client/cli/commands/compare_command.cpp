@@ -1,18 +1,17 @@
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <utility>
 
-#include "client/cli/arguments/connection.h"
 #include "client/cli/commands/commands.h"
 #include "client/cli/compare/compare_pictures.h"
 #include "client/cli/compare/comparison.h"
 #include "client/cli/compare/report.h"
+#include "client/cli/connection/connection.h"
 #include "client/cli/input/file_kind.h"
 #include "client/cli/output/check_outputs.h"
 #include "client/cli/output/exit_codes.h"
 #include "client/cli/output/output_file.h"
 #include "client/picture/lobe/slices.h"
-#include "server/arguments/words.h"
+#include "server/arguments/options.h"
 #include "server/materials/preset_material.h"
 
 namespace gonio::cli {
@@ -119,28 +118,28 @@ int run(const CompareArguments& arguments) {
 
 Command add_compare_command(CLI::App& app) {
   auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* command =
-      app.add_subcommand("compare", "How far materials are from measured reflectance");
-  command->footer(kFooter);
-  command->add_option("--reference", arguments->reference, "The measurements")
-      ->type_name("FILE")
-      ->required();
-  command
-      ->add_option("--material,-m", arguments->materials,
-                   "Materials: JSON or files, as for 'gonio evaluate'; one or more")
-      ->type_name("M...")
-      ->required()
-      ->check(arguments::suggest(preset_names()));
-  command->add_flag("--deg", arguments->degrees, "Angles of a CSV are in degrees");
-  command->add_option("--slices", arguments->slices, "Where a picture of slices goes, a .png")
-      ->type_name("OUT");
-  command->add_option("--render", arguments->render, "Where a picture of spheres goes, a .png")
-      ->type_name("OUT");
-  command
-      ->add_option("--report", arguments->report,
-                   "Where the errors go as JSON; - is stdout, the table then goes to stderr")
-      ->type_name("OUT");
-  return {command, [arguments] { return run(*arguments); }};
+  CLI::App& command =
+      arguments::add_command(app, "compare", "How far materials are from measured reflectance");
+  arguments::set_footer(command, kFooter);
+  arguments::add_option(command, "--reference", arguments->reference, "The measurements")
+      .type_name("FILE")
+      .required();
+  arguments::add_option(command, "--material,-m", arguments->materials,
+                        "Materials: JSON or files, as for 'gonio evaluate'; one or more")
+      .type_name("M...")
+      .required()
+      .suggest(server::preset_names());
+  arguments::add_flag(command, "--deg", arguments->degrees, "Angles of a CSV are in degrees");
+  arguments::add_option(command, "--slices", arguments->slices,
+                        "Where a picture of slices goes, a .png")
+      .type_name("OUT");
+  arguments::add_option(command, "--render", arguments->render,
+                        "Where a picture of spheres goes, a .png")
+      .type_name("OUT");
+  arguments::add_option(command, "--report", arguments->report,
+                        "Where the errors go as JSON; - is stdout, the table then goes to stderr")
+      .type_name("OUT");
+  return {&command, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace gonio::cli

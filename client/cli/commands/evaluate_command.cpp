@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -17,6 +16,7 @@
 #include "client/cli/output/exit_codes.h"
 #include "client/cli/output/progress.h"
 #include "client/cli/output/summary.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -139,10 +139,10 @@ int run(const EvaluateArguments& arguments) {
 
 Command add_evaluate_command(CLI::App& app) {
   auto arguments = std::make_shared<EvaluateArguments>();
-  CLI::App* command =
-      app.add_subcommand("evaluate", "Evaluate a material for pairs of directions or a grid");
-  add_evaluate_options(*command, *arguments);
-  return {command, [arguments] {
+  CLI::App& command = arguments::add_command(
+      app, "evaluate", "Evaluate a material for pairs of directions or a grid");
+  add_evaluate_options(command, *arguments);
+  return {&command, [arguments] {
             return arguments->is_reference() ? run<double>(*arguments) : run<float>(*arguments);
           }};
 }

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -8,6 +7,7 @@
 #include <utility>
 
 #include "client/cli/arguments/fit_arguments.h"
+#include "client/cli/arguments/fit_forms.h"
 #include "client/cli/commands/commands.h"
 #include "client/cli/input/file_kind.h"
 #include "client/cli/input/measured_input.h"
@@ -18,7 +18,8 @@
 #include "client/cli/output/terminal.h"
 #include "client/cli/report/fit_page.h"
 #include "client/cli/report/fit_table.h"
-#include "client/cli/scene/json.h"
+#include "client/cli/output/json.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -174,9 +175,9 @@ int run(const FitArguments& arguments) {
 
 Command add_fit_command(CLI::App& app) {
   auto arguments = std::make_shared<FitArguments>();
-  CLI::App* command = app.add_subcommand("fit", "Fit models to measured reflectance");
-  add_fit_options(*command, *arguments);
-  return {command, [arguments] { return run(*arguments); }};
+  CLI::App& command = arguments::add_command(app, "fit", "Fit models to measured reflectance");
+  add_fit_options(command, *arguments);
+  return {&command, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace gonio::cli

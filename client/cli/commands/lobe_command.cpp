@@ -1,19 +1,18 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <utility>
 
 #include "client/cli/arguments/common_arguments.h"
-#include "client/cli/arguments/connection.h"
 #include "client/cli/arguments/material_argument.h"
 #include "client/cli/commands/commands.h"
+#include "client/cli/connection/connection.h"
 #include "client/cli/output/exit_codes.h"
 #include "client/cli/output/numbers.h"
 #include "client/cli/output/output_file.h"
 #include "client/cli/output/picture.h"
 #include "client/picture/image/png.h"
 #include "client/picture/lobe/picture.h"
-#include "server/arguments/words.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -42,33 +41,33 @@ struct LobeArguments {
 };
 
 void add_lobe_options(CLI::App& command, LobeArguments& arguments) {
-  command.footer(kFooter);
+  arguments::set_footer(command, kFooter);
   add_material_option(command, arguments.material,
                       "What to show: JSON, a file or a stored name, as for 'gonio evaluate'");
-  command
-      .add_option("--theta", arguments.theta,
-                  "Angles of incidence from the normal, degrees, each from 0 to below 90; up to 8")
-      ->type_name("DEG,...")
-      ->delimiter(',')
-      ->required();
-  command
-      .add_option("--phi", arguments.phi,
-                  "The light's azimuth from u towards v, degrees, -360 to 360; 180 if not given: "
-                  "the tangent u is on the right")
-      ->type_name("DEG");
-  command
-      .add_option("--scale", arguments.scale,
-                  "Of lengths and colours: log (the default, two to six decades), linear, or cbrt")
-      ->type_name("S")
-      ->check(arguments::one_of({"log", "linear", "cbrt"}));
-  command.add_flag("--cosine", arguments.cosine, "Show f cos(theta_o) in place of f");
-  command
-      .add_option("--size", arguments.size,
-                  "Pixels, 100x100 to 8192x8192; else to suit the number of angles")
-      ->type_name("WxH");
-  command.add_option("-o,--output", arguments.output, "The picture: a file that ends in .png")
-      ->type_name("OUT")
-      ->required();
+  arguments::add_option(
+      command, "--theta", arguments.theta,
+      "Angles of incidence from the normal, degrees, each from 0 to below 90; up to 8")
+      .type_name("DEG,...")
+      .delimiter(',')
+      .required();
+  arguments::add_option(
+      command, "--phi", arguments.phi,
+      "The light's azimuth from u towards v, degrees, -360 to 360; 180 if not given: "
+      "the tangent u is on the right")
+      .type_name("DEG");
+  arguments::add_option(
+      command, "--scale", arguments.scale,
+      "Of lengths and colours: log (the default, two to six decades), linear, or cbrt")
+      .type_name("S")
+      .one_of({"log", "linear", "cbrt"});
+  arguments::add_flag(command, "--cosine", arguments.cosine, "Show f cos(theta_o) in place of f");
+  arguments::add_option(command, "--size", arguments.size,
+                        "Pixels, 100x100 to 8192x8192; else to suit the number of angles")
+      .type_name("WxH");
+  arguments::add_option(command, "-o,--output", arguments.output,
+                        "The picture: a file that ends in .png")
+      .type_name("OUT")
+      .required();
   add_connection_options(command, arguments.connection);
 }
 
@@ -136,10 +135,10 @@ int run(const LobeArguments& arguments) {
 
 Command add_lobe_command(CLI::App& app) {
   auto arguments = std::make_shared<LobeArguments>();
-  CLI::App* command =
-      app.add_subcommand("lobe", "Draw how a material distributes the light that it reflects");
-  add_lobe_options(*command, *arguments);
-  return {command, [arguments] { return run(*arguments); }};
+  CLI::App& command = arguments::add_command(
+      app, "lobe", "Draw how a material distributes the light that it reflects");
+  add_lobe_options(command, *arguments);
+  return {&command, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace gonio::cli

@@ -1,18 +1,17 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
 
-#include "client/cli/arguments/connection.h"
-#include "client/cli/arguments/presets.h"
+#include "client/cli/report/presets.h"
 #include "client/cli/commands/commands.h"
+#include "client/cli/connection/connection.h"
 #include "client/cli/output/exit_codes.h"
 #include "client/cli/output/output_file.h"
 #include "client/cli/report/markdown.h"
 #include "client/cli/report/model_page.h"
 #include "client/cli/tool/known_names.h"
 #include "gonio/base/shown.h"
-#include "server/arguments/words.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -56,23 +55,23 @@ int run(const Arguments& arguments) {
 
 Command add_models_command(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      app.add_subcommand("models", "List the models and stored materials, or describe one model");
-  command->add_option("NAME", arguments->name, "The model to describe")
-      ->type_name("")
-      ->check(arguments::suggest(model_names()));
-  CLI::Option* json =
-      command->add_flag("--json", arguments->json,
-                        "Print JSON instead of text: gonio.v1.ListModelsResponse, or the presets");
-  CLI::Option* presets = command->add_flag("--presets", arguments->presets,
-                                           "List the names that may stand in the place of numbers");
-  command
-      ->add_flag("--markdown", arguments->markdown,
-                 "Print models, parameters and presets as Markdown tables")
-      ->excludes(json)
-      ->excludes(presets);
-  add_connection_options(*command, arguments->connection);
-  return {command, [arguments] { return run(*arguments); }};
+  CLI::App& command = arguments::add_command(
+      app, "models", "List the models and stored materials, or describe one model");
+  arguments::add_option(command, "NAME", arguments->name, "The model to describe")
+      .type_name("")
+      .suggest(model_names());
+  const arguments::Option json = arguments::add_flag(
+      command, "--json", arguments->json,
+      "Print JSON instead of text: gonio.v1.ListModelsResponse, or the presets");
+  const arguments::Option presets =
+      arguments::add_flag(command, "--presets", arguments->presets,
+                          "List the names that may stand in the place of numbers");
+  arguments::add_flag(command, "--markdown", arguments->markdown,
+                      "Print models, parameters and presets as Markdown tables")
+      .excludes(json)
+      .excludes(presets);
+  add_connection_options(command, arguments->connection);
+  return {&command, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace gonio::cli

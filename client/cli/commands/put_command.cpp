@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -7,14 +6,15 @@
 #include <system_error>
 #include <utility>
 
-#include "client/cli/arguments/connection.h"
 #include "client/cli/commands/commands.h"
+#include "client/cli/connection/connection.h"
 #include "client/cli/input/file_kind.h"
 #include "client/cli/output/exit_codes.h"
 #include "client/cli/output/output_file.h"
 #include "client/cli/output/progress.h"
 #include "gonio/measured/table.h"
 #include "measured/file_error.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -102,22 +102,25 @@ int run(const PutArguments& arguments) {
 
 Command add_put_command(CLI::App& app) {
   auto arguments = std::make_shared<PutArguments>();
-  CLI::App* command = app.add_subcommand("put", "Store a measured material on a server");
-  command->footer(kFooter);
-  command
-      ->add_option("NAME", arguments->name,
-                   "What it will be called: 1 to 100 letters, digits, '-' and '_'")
-      ->type_name("")
-      ->required();
-  command->add_option("FILE", arguments->file, "A MERL .binary file")->type_name("")->required();
-  command->add_option("--server", arguments->server, "The goniod to ask, HOST:PORT or unix:/PATH")
-      ->type_name("ADDRESS")
-      ->envname("GONIO_SERVER");
-  command->add_option("--deadline", arguments->deadline, "Give up after this long; 0 for never")
-      ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, 1e9).description(""));
-  command->add_flag("--quiet,-q", arguments->quiet, "No progress bar and no summary");
-  return {command, [arguments] { return run(*arguments); }};
+  CLI::App& command = arguments::add_command(app, "put", "Store a measured material on a server");
+  arguments::set_footer(command, kFooter);
+  arguments::add_option(command, "NAME", arguments->name,
+                        "What it will be called: 1 to 100 letters, digits, '-' and '_'")
+      .type_name("")
+      .required();
+  arguments::add_option(command, "FILE", arguments->file, "A MERL .binary file")
+      .type_name("")
+      .required();
+  arguments::add_option(command, "--server", arguments->server,
+                        "The goniod to ask, HOST:PORT or unix:/PATH")
+      .type_name("ADDRESS")
+      .environment("GONIO_SERVER");
+  arguments::add_option(command, "--deadline", arguments->deadline,
+                        "Give up after this long; 0 for never")
+      .type_name("SECONDS")
+      .range(0.0, 1e9);
+  arguments::add_flag(command, "--quiet,-q", arguments->quiet, "No progress bar and no summary");
+  return {&command, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace gonio::cli

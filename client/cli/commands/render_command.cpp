@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "client/picture/image/srgb.h"
 #include "client/picture/render/evaluator.h"
 #include "client/picture/render/integrator.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -77,10 +77,10 @@ int run(const RenderArguments& arguments) {
 
 Command add_render_command(CLI::App& app) {
   auto arguments = std::make_shared<RenderArguments>();
-  CLI::App* command =
-      app.add_subcommand("render", "Make a picture of an object of a material, in a light");
-  add_render_options(*command, *arguments);
-  return {command, [arguments] { return run(*arguments); }};
+  CLI::App& command = arguments::add_command(
+      app, "render", "Make a picture of an object of a material, in a light");
+  add_render_options(command, *arguments);
+  return {&command, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace gonio::cli

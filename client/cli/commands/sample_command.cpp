@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "client/cli/output/exit_codes.h"
 #include "client/cli/output/progress.h"
 #include "client/cli/output/summary.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -129,15 +129,16 @@ int run(const SampleArguments& arguments) {
 
 Command add_sample_command(CLI::App& app) {
   auto arguments = std::make_shared<SampleArguments>();
-  CLI::App* command = app.add_subcommand("sample", "Draw directions for a material");
-  command->footer(std::string(kMaterialHelp) + kWiHelp + kResults + kFlagHelp + kExamples);
-  add_material_options(*command, *arguments);
-  add_wi_options(*command, arguments->wi);
-  add_number_options(*command, arguments->numbers);
-  command->get_option("--count")->required();
-  command->add_flag("--with-input", arguments->with_input, "Put wi before each sample");
-  add_result_options(*command, *arguments, "samples");
-  return {command, [arguments] {
+  CLI::App& command = arguments::add_command(app, "sample", "Draw directions for a material");
+  arguments::set_footer(command,
+                        std::string(kMaterialHelp) + kWiHelp + kResults + kFlagHelp + kExamples);
+  add_material_options(command, *arguments);
+  add_wi_options(command, arguments->wi);
+  add_number_options(command, arguments->numbers);
+  arguments::find_option(command, "--count").required();
+  arguments::add_flag(command, "--with-input", arguments->with_input, "Put wi before each sample");
+  add_result_options(command, *arguments, "samples");
+  return {&command, [arguments] {
             return arguments->is_reference() ? run<double>(*arguments) : run<float>(*arguments);
           }};
 }

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -19,6 +18,7 @@
 #include "client/cli/report/select_report.h"
 #include "client/cli/scene/scene_file.h"
 #include "gonio/base/shown.h"
+#include "server/arguments/options.h"
 
 namespace gonio::cli {
 namespace {
@@ -133,10 +133,10 @@ int run(SelectArguments& arguments) {
 
 Command add_select_command(CLI::App& app) {
   auto arguments = std::make_shared<SelectArguments>();
-  CLI::App* command =
-      app.add_subcommand("select", "The cheapest material that is good enough for a scene");
-  add_select_options(*command, *arguments);
-  return {command, [arguments] { return run(*arguments); }};
+  CLI::App& command = arguments::add_command(
+      app, "select", "The cheapest material that is good enough for a scene");
+  add_select_options(command, *arguments);
+  return {&command, [arguments] { return run(*arguments); }};
 }
 
 }  // namespace gonio::cli

@@ -1,18 +1,20 @@
 #include "client/cli/compare/comparison.h"
 
 #include <filesystem>
+#include <memory>
 #include <utility>
 
+#include "base/text/join.h"
 #include "client/cli/arguments/material_argument.h"
 #include "client/cli/output/terminal.h"
-#include "client/cli/output/text.h"
+#include "client/cli/report/fit_table.h"
 #include "engine/material/material_impl.h"
 #include "server/materials/materials.h"
 
 namespace gonio::cli {
 namespace {
 
-Result<Compared> build(const Materials& materials, const std::string& argument) {
+Result<Compared> build(const server::Materials& materials, const std::string& argument) {
   auto material = read_material(argument, true);
   if (!material) return material.error();
   auto built = materials.resolve(material->wire());
@@ -20,12 +22,15 @@ Result<Compared> build(const Materials& materials, const std::string& argument) 
   return Compared{shown_name(argument), std::move(*material), built->material()};
 }
 
-Result<fit::Data> data_of(const MeasuredInput& input, const Materials& materials) {
-  if (input.measured) {
-    const auto material = materials.resolve(input.measured->wire());
-    if (!material) return material.error();
-    return fit::from_table(*table_of(material->material()));
-  }
+// A file's measurements, and what the core has of them.
+struct Reference {
+  MeasuredInput input;
+  fit::Data data;
+  std::shared_ptr<const MeasuredTable> table;  // null: pairs
+};
+
+Result<fit::Data> data_of(const MeasuredInput& input, const MeasuredTable* table) {
+  if (table != nullptr) return fit::from_table(*table);
   const auto wide = [](const std::vector<float>& x) {
     return std::vector<double>(x.begin(), x.end());
   };
@@ -36,19 +41,12 @@ Result<fit::Data> data_of(const MeasuredInput& input, const Materials& materials
 // Nothing can be said of measurements of which none can be used.
 Outcome check_usable(const std::string& file, const fit::Data& data) {
   if (data.size() > 0) return Ok{};
-  const fit::LeftOut& out = data.left_out;
-  std::vector<std::string> why;
-  for (const auto& [count, what] :
-       {std::pair(out.not_finite, " not finite"), std::pair(out.not_unit, " not unit"),
-        std::pair(out.below_horizon, " below the horizon"),
-        std::pair(out.negative, " negative or not measured"),
-        std::pair(out.no_weight, " without weight")}) {
-    if (count > 0) why.push_back(std::to_string(count) + what);
-  }
+  const std::vector<std::string> why = left_out_words(data.left_out);
   const std::string reasons = why.empty() ? "" : " (" + joined(why, ", ") + ")";
-  return bad_value("the data of " + file,
-                   "without a usable pair, " + std::to_string(out.total()) + " left out" + reasons,
-                   "one pair or more whose directions and values can be used");
+  return bad_value(
+      "the data of " + file,
+      "without a usable pair, " + std::to_string(data.left_out.total()) + " left out" + reasons,
+      "one pair or more whose directions and values can be used");
 }
 
 Outcome check_channels(const std::string& name, const Material& material, const fit::Data& data) {
@@ -57,6 +55,22 @@ Outcome check_channels(const std::string& name, const Material& material, const 
                    "a material of " + std::to_string(material.channels()) + " channels",
                    (data.channels == 1 ? "1" : "1 or " + std::to_string(data.channels)) +
                        ", those of the reference");
+}
+
+Result<Reference> read_reference(const std::string& file, bool degrees,
+                                 const server::Materials& materials) {
+  auto input = read_measured(file, true, degrees);
+  if (!input) return input.error();
+  std::shared_ptr<const MeasuredTable> table;
+  if (input->measured) {
+    const auto material = materials.resolve(input->measured->wire());
+    if (!material) return material.error();
+    table = table_of(material->material());
+  }
+  auto data = data_of(*input, table.get());
+  if (!data) return data.error();
+  if (auto usable = check_usable(file, *data); !usable) return usable.error();
+  return Reference{std::move(*input), std::move(*data), std::move(table)};
 }
 
 }  // namespace
@@ -68,14 +82,11 @@ std::string shown_name(const std::string& argument) {
 
 Result<Comparison> read_comparison(const std::string& reference,
                                    const std::vector<std::string>& arguments, bool degrees) {
-  Materials materials;
+  server::Materials materials;
   materials.allow_local_files();
-  auto input = read_measured(reference, true, degrees);
-  if (!input) return input.error();
-  auto data = data_of(*input, materials);
-  if (!data) return data.error();
-  if (auto usable = check_usable(reference, *data); !usable) return usable.error();
-  Comparison comparison{std::move(*input), std::move(*data), {}};
+  auto read = read_reference(reference, degrees, materials);
+  if (!read) return read.error();
+  Comparison comparison{std::move(read->input), std::move(read->data), {}};
   for (const std::string& argument : arguments) {
     auto one = build(materials, argument);
     if (!one) return one.error();
@@ -87,20 +98,12 @@ Result<Comparison> read_comparison(const std::string& reference,
 }
 
 Result<chart::Measured> read_chart_data(const std::string& file, bool degrees) {
-  Materials materials;
+  server::Materials materials;
   materials.allow_local_files();
-  auto input = read_measured(file, true, degrees);
-  if (!input) return input.error();
-  auto data = data_of(*input, materials);
-  if (!data) return data.error();
-  if (auto usable = check_usable(file, *data); !usable) return usable.error();
-  if (input->raised > 0) print_note(file + ": " + raised_text(*input));
-  chart::Measured measured{shown_name(file), std::move(*data), nullptr};
-  if (!input->measured) return measured;
-  const auto material = materials.resolve(input->measured->wire());
-  if (!material) return material.error();
-  measured.table = table_of(material->material());
-  return measured;
+  auto read = read_reference(file, degrees, materials);
+  if (!read) return read.error();
+  if (read->input.raised > 0) print_note(file + ": " + raised_text(read->input));
+  return chart::Measured{shown_name(file), std::move(read->data), std::move(read->table)};
 }
 
 }  // namespace gonio::cli

@@ -5,14 +5,10 @@
 #include "client/cli/output/numbers.h"
 #include "client/cli/output/text.h"
 #include "client/cli/report/fit_table.h"
-#include "client/cli/scene/json.h"
+#include "client/cli/output/json.h"
 
 namespace gonio::cli {
 namespace {
-
-client::FitErrors cells(const fit::Errors& errors) {
-  return {errors.l1, errors.rmse, errors.log, errors.cbrt, errors.pairs};
-}
 
 std::string region(const char* name, const fit::Region& of) {
   char text[96];
@@ -22,10 +18,8 @@ std::string region(const char* name, const fit::Region& of) {
 
 std::string row(const std::string& name, const fit::Comparison& comparison, std::size_t width) {
   const fit::Regions& regions = comparison.regions;
-  return padded(name, width) +
-         error_cells({cells(comparison.errors.all), cells(comparison.errors.below_80),
-                      cells(comparison.errors.above_80)}) +
-         "\n    " + region("mirror", regions.mirror) + ", " +
+  return padded(name, width) + error_cells(comparison.errors) + "\n    " +
+         region("mirror", regions.mirror) + ", " +
          region("toward the light", regions.toward_light) + ", " +
          region("elsewhere", regions.elsewhere) + "\n";
 }

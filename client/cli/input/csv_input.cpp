@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "client/cli/input/csv_table.h"
+#include "client/cli/input/csv/csv_table.h"
 #include "client/cli/input/pair_input.h"
 #include "client/cli/input/place_columns.h"
 #include "gonio/engine/grid.h"

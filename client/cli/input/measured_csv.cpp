@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "client/cli/input/csv_table.h"
+#include "client/cli/input/csv/csv_table.h"
 #include "client/cli/input/measured_input.h"
 #include "client/cli/input/place_columns.h"
 #include "gonio/base/shown.h"

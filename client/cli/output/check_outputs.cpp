@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "base/near_names.h"
+#include "base/text/join.h"
 #include "client/cli/input/file_kind.h"
-#include "client/cli/output/text.h"
 
 namespace gonio::cli {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "client/cli/output/numbers.h"
 #include "client/cli/output/result_writer.h"
-#include "client/cli/scene/json.h"
+#include "client/cli/output/json.h"
 
 namespace gonio::cli {
 namespace {

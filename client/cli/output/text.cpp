@@ -38,13 +38,4 @@ std::string wrapped(std::string_view words, std::size_t indent) {
   return result;
 }
 
-std::string joined(const std::vector<std::string>& words, std::string_view separator) {
-  std::string text;
-  for (const std::string& word : words) {
-    if (!text.empty()) text += separator;
-    text += word;
-  }
-  return text;
-}
-
 }  // namespace gonio::cli

@@ -3,7 +3,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace gonio::cli {
 
@@ -13,7 +12,5 @@ std::string padded(std::string_view text, std::size_t width);
 // Breaks `words`, as shown() shows them, into lines that start at column `indent`; the first one is
 // already there.
 std::string wrapped(std::string_view words, std::size_t indent);
-
-std::string joined(const std::vector<std::string>& words, std::string_view separator);
 
 }  // namespace gonio::cli

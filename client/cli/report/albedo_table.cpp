@@ -6,8 +6,8 @@
 #include <numbers>
 #include <span>
 
+#include "client/cli/output/json.h"
 #include "client/cli/output/numbers.h"
-#include "client/cli/scene/json.h"
 
 namespace gonio::cli {
 namespace {

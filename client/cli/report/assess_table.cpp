@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "base/text/join.h"
 #include "client/cli/output/text.h"
 
 namespace gonio::cli {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "client/cli/output/text.h"
+#include "base/text/join.h"
 #include "gonio/base/shown.h"
 
 namespace gonio::cli {
@@ -72,8 +72,10 @@ std::string parameters_of(const FitCertificate& certificate) {
 std::string doubts_of(const FitCertificate& certificate) {
   std::string text;
   for (const auto& indistinct : certificate.indistinct) {
+    const std::string correlation =
+        indistinct.correlation ? ", correlation " + number(*indistinct.correlation) : "";
     text += "- The data hardly tell apart: " + joined(indistinct.fields, ", ") + " (eigenvalue " +
-            number(indistinct.eigenvalue, "%.2g") + ").\n";
+            number(indistinct.eigenvalue, "%.2g") + correlation + ").\n";
   }
   for (const auto& profile : certificate.profiles) {
     text += "- `" + profile.field + "` can be from " + number(profile.lower) + " to " +
@@ -92,7 +94,10 @@ std::string doubts_of(const FitCertificate& certificate) {
 }
 
 std::string search_of(const FitCertificate& certificate) {
-  std::string text = "\nHow it was found (objectives as parts of that of f = 0):\n" +
+  const std::string minimising =
+      certificate.objective ? ", minimising " + std::string(name_of(*certificate.objective)) : "";
+  std::string text = "\nHow it was found" + minimising +
+                     " (objectives as parts of that of f = 0):\n" +
                      head({"stage", "objective", "pairs", "iterations", "CPU s"});
   for (const auto& stage : certificate.stages) {
     text += row({stage.name, number(stage.objective, "%.6g"), std::to_string(stage.pairs),
@@ -125,9 +130,9 @@ std::string region(const char* name, const client::FitRegion& region) {
 std::string misfit_of(const FitCertificate& certificate) {
   std::string text = "\nWhere it reflects, as parts of all that is measured:\n" +
                      head({"where", "measured", "fitted", "error"}) +
-                     region("within 25° of the mirror direction", certificate.mirror) +
-                     region("so near to the light", certificate.toward_light) +
-                     region("elsewhere", certificate.elsewhere);
+                     region("within 25° of the mirror direction", certificate.regions.mirror) +
+                     region("so near to the light", certificate.regions.toward_light) +
+                     region("elsewhere", certificate.regions.elsewhere);
   if (certificate.worst.empty()) return text;
   text += "\nThe worst places:\n" +
           head({"θᵢ, φᵢ", "θₒ, φₒ", "channel", "measured in 1/sr", "fitted", "share of the error"});

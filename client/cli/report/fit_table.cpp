@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "base/text/join.h"
 #include "client/cli/output/text.h"
 
 namespace gonio::cli {
@@ -58,8 +59,7 @@ std::vector<std::string> parameter_words(const std::vector<client::FitParameter>
 
 }  // namespace
 
-std::string left_out_line(const client::FitCertificate& certificate) {
-  const client::FitLeftOut& out = certificate.left_out;
+std::vector<std::string> left_out_words(const client::FitLeftOut& out) {
   std::vector<std::string> words;
   const auto add = [&](std::uint64_t count, const char* what) {
     if (count > 0) words.push_back(std::to_string(count) + " " + what);
@@ -69,7 +69,12 @@ std::string left_out_line(const client::FitCertificate& certificate) {
   add(out.below_horizon, "below the horizon");
   add(out.negative, "negative or not measured");
   add(out.no_weight, "without weight");
-  std::string line = std::to_string(certificate.pairs) + " pairs";
+  return words;
+}
+
+std::string left_out_line(const client::FitCertificate& certificate) {
+  const std::vector<std::string> words = left_out_words(certificate.left_out);
+  const std::string line = std::to_string(certificate.pairs) + " pairs";
   return words.empty() ? line : line + "; left out: " + joined(words, ", ");
 }
 

@@ -14,6 +14,8 @@ std::string error_head(std::size_t width);
 // Each measure for all pairs, up to 80 degrees and above; "-" where there are no pairs.
 std::string error_cells(const client::FitErrorsByZone& errors);
 
+// "5 negative or not measured", a reason each.
+std::vector<std::string> left_out_words(const client::FitLeftOut& out);
 // "1234 pairs; left out: 5 negative or not measured"
 std::string left_out_line(const client::FitCertificate& certificate);
 

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "client/cli/arguments/presets.h"
+#include "base/text/join.h"
 #include "client/cli/output/numbers.h"
-#include "client/cli/output/text.h"
 #include "client/cli/report/model_page.h"
+#include "client/cli/report/presets.h"
 
 namespace gonio::cli {
 namespace {

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/join.h"
 #include "client/cli/output/numbers.h"
 #include "client/cli/output/summary.h"
 #include "client/cli/output/text.h"

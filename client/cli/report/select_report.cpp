@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "client/cli/output/json.h"
 #include "client/cli/output/text.h"
-#include "client/cli/scene/json.h"
 
 namespace gonio::cli {
 namespace {

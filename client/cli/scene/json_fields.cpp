@@ -9,6 +9,7 @@
 
 #include "base/near_names.h"
 #include "base/text/encoding.h"
+#include "base/text/join.h"
 #include "client/cli/input/file_kind.h"
 #include "gonio/base/shown.h"
 #include "wire/convert.h"
@@ -47,11 +48,9 @@ std::string as_text(const JsonValue& value) {
 
 Outcome check_names(const JsonObject& object, std::span<const std::string_view> known,
                     const std::string& prefix) {
-  std::string all;
-  for (const std::string_view name : known) all += (all.empty() ? "" : ", ") + std::string(name);
   for (const auto& [name, value] : object.fields()) {
     if (std::find(known.begin(), known.end(), name) == known.end())
-      return bad_value(prefix + name, "not a field", all + did_you_mean(name, known));
+      return bad_value(prefix + name, "not a field", joined(known) + did_you_mean(name, known));
   }
   return Ok{};
 }

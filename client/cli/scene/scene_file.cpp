@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "client/cli/scene/json.h"
+#include "client/cli/output/json.h"
 #include "client/cli/scene/json_fields.h"
 #include "client/cli/scene/scene_needs.h"
 #include "gonio/base/shown.h"

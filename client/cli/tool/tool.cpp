@@ -1,5 +1,6 @@
 #include "client/cli/tool/tool.h"
 
+#include <CLI/CLI.hpp>
 #include <array>
 #include <string>
 

@@ -2,7 +2,7 @@
 // from. Thread safety: used by one thread.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <string>
 #include <vector>
 
 #include "client/cli/commands/commands.h"

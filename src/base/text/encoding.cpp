@@ -13,8 +13,8 @@ bool begins(std::string_view bytes, std::string_view mark) {
   return bytes.substr(0, mark.size()) == mark;
 }
 
-// The other encoding that the first bytes show; null if none. What gonio reads begins with ASCII,
-// whose characters have one byte that is not zero.
+// The name of the encoding that the first bytes show where it is not UTF-8, else null. What gonio
+// reads begins with ASCII characters, of which UTF-16 and UTF-32 have zero bytes.
 const char* other_encoding(std::string_view bytes) {
   // The longer marks come first: that of UTF-16 is the beginning of one of UTF-32.
   if (begins(bytes, "\xFF\xFE\0\0"sv) || begins(bytes, "\0\0\xFE\xFF"sv)) return "UTF-32 text";

@@ -6,8 +6,8 @@
 
 namespace gonio {
 
-// Sixteen bytes at a time, in one pass: a search for each of both would read what has no CR twice,
-// and the whole rest for each line of what has no LF.
+// Compares sixteen bytes at a time with both characters. One search for each character would read a
+// text without CR twice, and in a text without LF the whole rest for each line.
 std::size_t find_line_end(std::string_view text, std::size_t from) {
   const __m128i feed = _mm_set1_epi8('\n'), carriage = _mm_set1_epi8('\r');
   std::size_t at = from;

@@ -8,7 +8,7 @@
 
 namespace gonio {
 
-// Where the first LF or CR stands from `from` on; npos if there is none.
+// The position of the first LF or CR from `from` on; npos if there is none.
 std::size_t find_line_end(std::string_view text, std::size_t from = 0);
 
 class LineReader {
@@ -18,7 +18,8 @@ class LineReader {
 
   // The next line without its end; none after the last.
   std::optional<std::string_view> next();
-  // The number of the line last given, from 1; after the last line the one that would follow it.
+  // The number of the line that next() gave last, from 1; after the last line, the number that
+  // would follow.
   [[nodiscard]] std::size_t number() const { return number_; }
 
  private:

@@ -16,7 +16,7 @@ std::optional<T> parse_unusual_number(std::string_view text, std::size_t good) {
   const char* end = copy.data() + copy.size();
   const auto [at, error] = std::from_chars(copy.data(), end, value);
   if (at != end) return std::nullopt;
-  // The value is left alone where it is out of range: strtod knows at which end.
+  // from_chars leaves a value that is out of range unchanged; strtod says at which end it is.
   if (error == std::errc{}) return value;
   if constexpr (sizeof(T) == sizeof(float)) return std::strtof(copy.c_str(), nullptr);
   return std::strtod(copy.c_str(), nullptr);

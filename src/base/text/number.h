@@ -10,15 +10,16 @@
 
 namespace gonio {
 
-// All of `text` as a number where its first `good` bytes are one as std::from_chars reads them:
-// beyond the range, or with Fortran's exponent, 1.0D-01. T is float or double.
+// Reads what std::from_chars does not read to the end, after its first `good` bytes: numbers out of
+// range, and Fortran's exponents, 1.0D-01. T is float or double.
 template <class T>
 std::optional<T> parse_unusual_number(std::string_view text, std::size_t good);
 
-// All of `text` as a number. T is float, double or an integer, of which all must be digits. A
-// floating-point number is decimal, with a point and perhaps an exponent (1e-3, 1.0D-03); nan, inf;
-// a sign, also '+'. False, and `value` as it was, if it is not one. What is too large becomes
-// infinite, what is too small zero or the nearest subnormal.
+// Reads all of `text` as a number. T is float, double or an integer type, for which all characters
+// must be digits. A floating-point number is decimal, with an optional point, exponent (1e-3,
+// 1.0D-03) and sign, also '+', or nan or inf. Returns false and keeps `value` if `text` is no
+// number. A number that is too large becomes infinite, one that is too small becomes zero or the
+// nearest subnormal.
 template <class T>
 bool read_number(std::string_view text, T& value) {
   if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
@@ -38,15 +39,15 @@ bool read_number(std::string_view text, T& value) {
   return false;
 }
 
-// The same as an optional, which takes longer.
+// The same as an optional, which is slower.
 template <class T>
 std::optional<T> parse_number(std::string_view text) {
   T value{};
   return read_number(text, value) ? std::optional<T>(value) : std::nullopt;
 }
 
-// What a message says behind text that is no number, where the reason shows: " (a decimal comma:
-// write a point)"; else nothing.
+// An explanation to append to a message about text that is no number, where there is one: " (a
+// decimal comma: write a point)"; else empty.
 std::string number_hint(std::string_view text);
 
 }  // namespace gonio

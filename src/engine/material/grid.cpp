@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "numeric/direction.h"
+
 namespace gonio {
 namespace {
 
@@ -13,28 +15,24 @@ constexpr std::uint64_t kMaxPairs = std::uint64_t{1} << 63;
 // more than this of a z that should be 0.
 constexpr double kHorizon = 4.5e-16;
 
-struct Direction {
-  double x, y, z;
-};
-
 template <class T>
 void store(const Direction& w, T* out) {
-  out[0] = static_cast<T>(w.x);
-  out[1] = static_cast<T>(w.y);
-  out[2] = std::abs(w.z) <= kHorizon ? T{0} : static_cast<T>(w.z);
+  out[0] = static_cast<T>(w[0]);
+  out[1] = static_cast<T>(w[1]);
+  out[2] = std::abs(w[2]) <= kHorizon ? T{0} : static_cast<T>(w[2]);
 }
 
 // Turns a direction about v, the normal towards theta_h: from the half-vector's frame to the
 // surface's.
 Direction tilt(double sin_h, double cos_h, const Direction& d) {
-  return {cos_h * d.x + sin_h * d.z, d.y, cos_h * d.z - sin_h * d.x};
+  return {cos_h * d[0] + sin_h * d[2], d[1], cos_h * d[2] - sin_h * d[0]};
 }
 
 }  // namespace
 
 template <class T>
 void direction_at(double theta, double phi, T* out) {
-  store({std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)}, out);
+  store(spherical(theta, phi), out);
 }
 
 template void direction_at(double, double, float*);
@@ -95,7 +93,7 @@ void Grid::expand_range(std::uint64_t first, std::size_t count, T* wi, T* wo) co
     if (half_angle_) {
       const Direction d{a1.sin * a2.cos, a1.sin * a2.sin, a1.cos};
       store(tilt(a0.sin, a0.cos, d), wi);
-      store(tilt(a0.sin, a0.cos, {-d.x, -d.y, d.z}), wo);
+      store(tilt(a0.sin, a0.cos, {-d[0], -d[1], d[2]}), wo);
     } else {
       const Angle& a3 = axes_[3][at[3]];
       store({a0.sin * a1.cos, a0.sin * a1.sin, a0.cos}, wi);

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
-#include <deque>
+#include <exception>
+#include <list>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
+#include "engine/threads/shared_run.h"
 #include "engine/threads/stay_alert.h"
 
 namespace gonio {
@@ -15,20 +18,47 @@ namespace {
 
 struct Active {
   ThreadPool::Job job;
-  bool awaited = false;     // a caller waits for it now, and may soon have the next
-  std::size_t next = 0;     // guarded by the pool's mutex
-  std::size_t running = 0;  // tiles begun and not ended; guarded
-  bool stopped = false;     // guarded
+  bool awaited = false;                  // a caller waits for it now, and may soon have the next
+  std::size_t next = 0;                  // guarded by the pool's mutex
+  std::size_t running = 0;               // tiles begun and not ended; guarded
+  bool stopped = false;                  // guarded
+  std::exception_ptr failure = nullptr;  // the first of the job's; guarded until its end
 };
 
 using ActivePtr = std::shared_ptr<Active>;
+
+// Whether the job's other tiles are to be abandoned, and what was thrown.
+struct TileOutcome {
+  bool stop = false;
+  std::exception_ptr failure = nullptr;
+};
+
+TileOutcome run_tile(const ThreadPool::Job& job, std::size_t tile) {
+  try {
+    if (job.stop && job.stop()) return {true};
+    job.run(tile);
+    return {};
+  } catch (...) {
+    return {true, std::current_exception()};
+  }
+}
+
+void end_job(const Active& active) {
+  if (active.failure && active.job.failed) {
+    active.job.failed(active.failure);
+  } else if (active.job.done) {
+    active.job.done(!active.stopped);
+  }
+}
 
 }  // namespace
 
 struct ThreadPool::State {
   std::mutex mutex;
   std::condition_variable work;
-  std::deque<ActivePtr> ready;  // jobs with tiles left to begin; turned round after each tile
+  // Jobs with tiles left to begin; turned round after each tile. Turning allocates nothing, so that
+  // no thread of the pool can run out of memory between two tiles.
+  std::list<ActivePtr> ready;
   std::size_t max_jobs = 0;
   std::size_t jobs = 0;
   std::size_t asleep = 0;                 // threads; guarded
@@ -37,44 +67,48 @@ struct ThreadPool::State {
   bool closing = false;
   std::vector<std::thread> threads;
 
-  void put(const ActivePtr& active) {
-    ready.push_back(active);
+  // `entry` holds one job. The caller holds the mutex.
+  void put(std::list<ActivePtr>& entry) {
+    ready.splice(ready.end(), entry);
     waiting.store(ready.size());
   }
   void remove(const ActivePtr& active) {
-    std::erase(ready, active);
+    ready.remove(active);
     waiting.store(ready.size());
   }
 
   // Takes the next tile of the job at the front. The caller holds the mutex.
   ActivePtr take(std::size_t& tile) {
     ActivePtr active = ready.front();
-    ready.pop_front();
     tile = active->next++;
     ++active->running;
-    if (active->next < active->job.tiles) ready.push_back(active);
+    if (active->next < active->job.tiles) {
+      ready.splice(ready.end(), ready, ready.begin());
+    } else {
+      ready.pop_front();
+    }
     waiting.store(ready.size());
     return active;
   }
 
   // Runs a taken tile; ends the job with its last one.
   void run(const ActivePtr& active, std::size_t tile) {
-    const bool stop = active->job.stop && active->job.stop();
-    if (!stop) active->job.run(tile);
+    TileOutcome outcome = run_tile(active->job, tile);
     bool last = false;
     {
       const auto lock = lock_soon(mutex);
-      if (stop && !active->stopped) {
+      if (outcome.stop && !active->stopped) {
         active->stopped = true;
         active->next = active->job.tiles;
         remove(active);
       }
+      if (!active->failure) active->failure = std::move(outcome.failure);
       last = --active->running == 0 && active->next >= active->job.tiles;
-      // Its place is free before `done` is told, which may submit the next job.
+      // Its place is free before its end is told, which may submit the next job.
       if (last) --jobs;
       if (last && closing) work.notify_all();
     }
-    if (last && active->job.done) active->job.done(!active->stopped);
+    if (last) end_job(*active);
   }
 
   void work_on() {
@@ -94,14 +128,9 @@ struct ThreadPool::State {
     }
   }
 
-  void add(const ActivePtr& active) {
-    std::size_t wanted = 0;
-    {
-      const auto lock = lock_soon(mutex);
-      put(active);
-      wanted = std::min(active->job.tiles, asleep);
-    }
-    for (std::size_t i = 0; i < wanted; ++i) work.notify_one();
+  // Wakes as many threads as there are tiles for.
+  void wake(std::size_t tiles, std::size_t sleepers) {
+    for (std::size_t i = 0; i < std::min(tiles, sleepers); ++i) work.notify_one();
   }
 
   // Takes back the tiles of an awaited job that no thread has begun: the work is done. True if
@@ -153,47 +182,50 @@ ThreadPool::ThreadPool(int threads, std::size_t max_jobs) : state_(std::make_uni
 ThreadPool::~ThreadPool() { state_->close(); }
 
 bool ThreadPool::submit(Job&& job) {
+  // All that needs memory comes before a place is taken.
+  std::list<ActivePtr> entry{std::make_shared<Active>()};
+  const ActivePtr active = entry.front();
+  const std::size_t tiles = job.tiles;
+  std::size_t asleep = 0;
   {
     const auto lock = lock_soon(state_->mutex);
     if (state_->jobs >= state_->max_jobs) return false;
-    if (job.tiles > 0) ++state_->jobs;
+    active->job = std::move(job);
+    if (tiles > 0) {
+      ++state_->jobs;
+      state_->put(entry);
+      asleep = state_->asleep;
+    }
   }
-  const auto active = std::make_shared<Active>(Active{std::move(job)});
-  if (active->job.tiles > 0) return state_->add(active), true;
-  if (active->job.done) active->job.done(true);
+  if (tiles == 0) return end_job(*active), true;
+  state_->wake(tiles, asleep);
   return true;
 }
 
 void ThreadPool::run(std::size_t tiles, const std::function<void(std::size_t)>& body, bool brief) {
-  std::atomic<std::size_t> next{0};
-  std::mutex mutex;
-  std::condition_variable finished;
-  std::atomic<bool> done = false;  // set under the mutex
-  const auto drain = [&](std::size_t) {
-    for (std::size_t i = next.fetch_add(1); i < tiles; i = next.fetch_add(1)) body(i);
-  };
+  SharedRun shared(body, tiles);
   // One tile of the job for each helper: a helper that comes late finds nothing left to do.
   const std::size_t helpers = std::min(tiles - 1, state_->threads.size());
-  if (tiles <= 1) return drain(0);
-  if (brief && !state_->shares_brief()) return drain(0), state_->end_brief();
-  const auto end = [&](bool) {
-    const auto lock = lock_soon(mutex);
-    done = true;
-    finished.notify_one();
-  };
-  const auto active = std::make_shared<Active>(Active{{helpers, drain, {}, end}, true});
+  if (tiles <= 1 || (brief && !state_->shares_brief())) {
+    shared.drain();
+    if (tiles > 1) state_->end_brief();
+    return shared.rethrow();
+  }
+  Job job{helpers, [&](std::size_t) { shared.drain(); }, {}, [&](bool) { shared.end(); }};
+  std::list<ActivePtr> entry{std::make_shared<Active>(Active{std::move(job), true})};
+  const ActivePtr active = entry.front();
+  std::size_t asleep = 0;
   {
     const auto lock = lock_soon(state_->mutex);
     ++state_->jobs;
+    state_->put(entry);
+    asleep = state_->asleep;
   }
-  state_->add(active);
-  drain(0);
-  if (!state_->withdraw(active)) {
-    stay_alert([&] { return done.load(); });
-    std::unique_lock lock = lock_soon(mutex);
-    finished.wait(lock, [&] { return done.load(); });
-  }
+  state_->wake(helpers, asleep);
+  shared.drain();
+  if (!state_->withdraw(active)) shared.wait();
   if (brief) state_->end_brief();
+  shared.rethrow();
 }
 
 int ThreadPool::threads() const { return static_cast<int>(state_->threads.size()); }

@@ -6,18 +6,13 @@
 #include <string>
 
 #include "fit/data/unit.h"
+#include "numeric/direction.h"
 
 namespace gonio::fit {
 namespace {
 
 constexpr double kAllPairs = 4 * std::numbers::pi * std::numbers::pi;  // sr^2
 constexpr double kUnitTolerance = 1e-3;                                // as evaluation has it
-
-using Direction = std::array<double, 3>;
-
-Direction direction(std::span<const double> xyz, std::size_t i) {
-  return {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]};
-}
 
 double length(const Direction& w) { return std::hypot(w[0], w[1], w[2]); }
 
@@ -92,7 +87,7 @@ Result<Data> from_pairs(std::span<const double> wi, std::span<const double> wo,
   data.channels = channels;
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < pairs; ++i) {
-    const Direction in = direction(wi, i), out = direction(wo, i);
+    const Direction in = nth_direction(wi, i), out = nth_direction(wo, i);
     const double weight = weights.empty() ? equal : weights[i];
     if (leave_out(in, out, values.subspan(i * count, count), weight, data.left_out)) continue;
     push(data.wi, in);

@@ -14,24 +14,13 @@
 
 #include "gonio/base/result.h"
 #include "gonio/engine/evaluate.h"
+#include "gonio/fit/certificate.h"
 
 namespace gonio {
 class MeasuredTable;  // measured/table.h
 }
 
 namespace gonio::fit {
-
-// Entries that say nothing, counted by the first reason that holds.
-struct LeftOut {
-  std::size_t not_finite = 0;     // a direction, a value or a weight that is NaN or infinite
-  std::size_t not_unit = 0;       // a direction off unit length by more than 1e-3
-  std::size_t below_horizon = 0;  // a direction at or below the horizon
-  std::size_t negative = 0;       // a value below 0: MERL's mark of "not measured", or noise
-  std::size_t no_weight = 0;      // a weight that is not above 0
-  [[nodiscard]] std::size_t total() const {
-    return not_finite + not_unit + below_horizon + negative + no_weight;
-  }
-};
 
 struct Data {
   int channels = 0;

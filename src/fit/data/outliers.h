@@ -5,7 +5,7 @@
 #include <string>
 
 #include "fit/data/data.h"
-#include "fit/report/certificate.h"
+#include "gonio/fit/certificate.h"
 
 namespace gonio::fit {
 

@@ -1,15 +1,8 @@
 #include "fit/linear/objective.h"
 
-#include <array>
 #include <cmath>
 
 namespace gonio::fit {
-
-std::string_view name_of(Objective objective) {
-  constexpr std::array<std::string_view, kObjectiveCount> kNames{"l1", "l2", "huber", "log",
-                                                                 "cbrt"};
-  return kNames[static_cast<std::size_t>(objective)];
-}
 
 double Loss::transformed(double value) const {
   if (objective == Objective::log) return std::log1p(value);

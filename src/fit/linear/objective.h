@@ -9,15 +9,9 @@
 // minimised as sqrt(e^2 + smooth^2), smooth going to 0 by stages.
 #pragma once
 
-#include <cstdint>
-#include <string_view>
+#include "gonio/fit/objective.h"
 
 namespace gonio::fit {
-
-enum class Objective : std::uint8_t { l1, l2, huber, log, cbrt };
-inline constexpr int kObjectiveCount = 5;
-
-std::string_view name_of(Objective objective);  // "l1", "l2", "huber", "log", "cbrt"
 
 struct Loss {
   Objective objective = Objective::l1;

@@ -92,7 +92,7 @@ Reason undetermined(const Certificate& report) {
   std::vector<std::string> fields;
   for (const ParameterReport& p : report.parameters) {
     const bool known = std::find(fields.begin(), fields.end(), p.field) != fields.end();
-    if (!p.determined && !p.at_bound && !known) fields.push_back(p.field);
+    if (p.undetermined && !p.at_bound && !known) fields.push_back(p.field);
   }
   if (fields.empty()) return {};
   return "not determined by the data: " + joined(fields);

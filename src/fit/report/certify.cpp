@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "fit/report/albedo.h"
+#include "fit/report/metrics.h"
 #include "fit/report/profile.h"
 #include "fit/report/uncertainty.h"
 #include "fit/report/verdict.h"
@@ -49,12 +50,6 @@ Certificate begun(const Data& data, const Options& options) {
 }
 
 }  // namespace
-
-std::string_view name_of(Verdict verdict) {
-  constexpr std::array<std::string_view, 4> kNames{"converged", "bound-limited", "ambiguous",
-                                                   "failed"};
-  return kNames[static_cast<std::size_t>(verdict)];
-}
 
 FitResult certify(const SearchInput& input, const Data& data, Search search) {
   FitResult result{{}, begun(data, input.options)};

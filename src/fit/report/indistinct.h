@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fit/bounds/coordinates.h"
-#include "fit/report/certificate.h"
+#include "gonio/fit/certificate.h"
 #include "fit/report/material_numbers.h"
 
 namespace gonio::fit {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "fit/report/certificate.h"
 #include "fit/search/search.h"
+#include "gonio/fit/certificate.h"
 
 namespace gonio::fit {
 

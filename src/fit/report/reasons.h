@@ -8,7 +8,8 @@
 #include <string>
 
 #include "fit/form.h"
-#include "fit/report/certificate.h"
+#include "fit/data/data.h"
+#include "gonio/fit/certificate.h"
 
 namespace gonio::fit {
 

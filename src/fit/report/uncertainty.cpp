@@ -94,10 +94,10 @@ ParameterReport report_of(const MaterialNumber& number, const Says& says, double
   report.channel = number.channel;
   report.value = number.value;
   report.at_bound = number.value <= p.lower || number.value >= p.upper || says.held;
-  report.determined = says.determined && !is_open(p, number.value, standard_error, unit);
+  report.undetermined = !says.determined || is_open(p, number.value, standard_error, unit);
   report.lower = p.lower;
   report.upper = p.upper;
-  if (!report.determined) return report;
+  if (report.undetermined) return report;
   const Interval interval = interval_of(p, number.value, standard_error);
   report.standard_error = standard_error;
   report.lower = std::max(interval.lower, p.lower);

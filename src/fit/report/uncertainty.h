@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "fit/report/certificate.h"
 #include "fit/search/problem.h"
+#include "gonio/fit/certificate.h"
 
 namespace gonio::fit {
 

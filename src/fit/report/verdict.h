@@ -1,8 +1,9 @@
 // From what a certificate found to the one word that says how far to trust a fit.
 #pragma once
 
+#include "fit/data/data.h"
 #include "fit/form.h"
-#include "fit/report/certificate.h"
+#include "gonio/fit/certificate.h"
 
 namespace gonio::fit {
 

@@ -103,7 +103,7 @@ void add_aligned(const SearchInput& turned, std::span<const double> aligned, Cer
   const std::size_t found_on = report.stages.empty() ? 0 : report.stages.back().pairs;
   const Uncertainty found = uncertainty_at(problem, parameters, found_on, turned.watch.stop);
   for (const ParameterReport& parameter : found.parameters) {
-    if (parameter.field != kRotation.name || !parameter.determined) continue;
+    if (parameter.field != kRotation.name || parameter.undetermined) continue;
     if (parameter.standard_error < kVagueDegrees) report.parameters.push_back(parameter);
   }
 }

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "fit/report/certificate.h"
 #include "fit/search/search.h"
+#include "gonio/fit/certificate.h"
 
 namespace gonio::fit {
 

@@ -45,7 +45,7 @@ MinimiseOptions minimise_options(const Watch& watch, std::string_view stage, int
   if (watch.progress) {
     options.progress = [&watch, stage, &best](int iteration, double cost) {
       best = std::min(best, cost);
-      watch.progress({stage, iteration, cost, best});
+      watch.progress({std::string(stage), iteration, cost, best});
     };
   }
   return options;

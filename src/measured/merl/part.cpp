@@ -112,7 +112,7 @@ Result<Part> read(const std::filesystem::path& file, const CheckedLobe& lobe) {
 
 void draw(const TableSampling& table, const double (&wi)[3], const double (&xi)[3],
           double (&wo)[3]) {
-  const TableSampling::Direction drawn = table.draw({wi[0], wi[1], wi[2]}, xi[0], xi[1], xi[2]);
+  const Direction drawn = table.draw({wi[0], wi[1], wi[2]}, xi[0], xi[1], xi[2]);
   std::copy(drawn.begin(), drawn.end(), wo);
 }
 

@@ -4,15 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "numeric/direction.h"
+
 namespace gonio {
 namespace {
 
-using Direction = TableSampling::Direction;
 constexpr double kPi = std::numbers::pi;
-
-double dot(const Direction& a, const Direction& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 // What the azimuth is counted from: the tangent below wi.
 struct Tangent {

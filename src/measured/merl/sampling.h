@@ -16,11 +16,12 @@
 #include <span>
 #include <vector>
 
+#include "numeric/direction.h"
+
 namespace gonio {
 
 class TableSampling {
  public:
-  using Direction = std::array<double, 3>;
   // Writes the luminance of f, without a cosine, of each pair; 0 where it is not known.
   using Luminance = std::function<void(std::span<const Direction> wi, std::span<const Direction> wo,
                                        std::span<double> luminance)>;

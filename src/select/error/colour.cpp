@@ -11,12 +11,12 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180;
 
-// X, Y and Z over those of white, from linear sRGB: each row sums to 1.
+// From linear sRGB to X, Y and Z relative to white: each row sums to 1.
 constexpr double kFromRgb[3][3] = {{0.4124 / 0.9505, 0.3576 / 0.9505, 0.1805 / 0.9505},
                                    {0.2126, 0.7152, 0.0722},
                                    {0.0193 / 1.0890, 0.1192 / 1.0890, 0.9505 / 1.0890}};
 
-// The cube root, and near black the line that meets it smoothly.
+// The cube root, and near black the tangent that continues it.
 double lightness(double t) {
   constexpr double kKnee = 6.0 / 29;
   return t > kKnee * kKnee * kKnee ? std::cbrt(t) : t / (3 * kKnee * kKnee) + 4.0 / 29;
@@ -38,7 +38,7 @@ struct Hues {
   double difference, mean;
 };
 
-// The way round that is shorter. Where a colour is grey its hue says nothing.
+// The difference the shorter way round. The hue of a grey is undefined and gives 0.
 Hues between(double x, double y, bool grey) {
   if (grey) return {0, x + y};
   const double sum = x + y, step = y - x;
@@ -59,7 +59,7 @@ Lab lab_of(double red, double green, double blue) {
 }
 
 double delta_e(const Lab& x, const Lab& y) {
-  // Greyish colours are drawn apart along a.
+  // Stretches a for colours near grey.
   const double stretch = 1.5 - seventh((std::hypot(x.a, x.b) + std::hypot(y.a, y.b)) / 2) / 2;
   const double ax = stretch * x.a, ay = stretch * y.a;
   const double cx = std::hypot(ax, x.b), cy = std::hypot(ay, y.b);

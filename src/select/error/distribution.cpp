@@ -9,7 +9,7 @@ namespace gonio::select {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-// Measured directions are float32 and often lie on the edge of a range: it belongs to it.
+// Measured directions are float32 and often lie on the edge of a range, which belongs to the range.
 constexpr double kEdge = 1e-6, kAzimuthEdge = 1e-5;
 
 // The angle between the azimuths, 0 to pi; none where one of the directions is the normal.
@@ -37,7 +37,7 @@ Distribution::Distribution(const Scene& scene) {
             0};
     const double share = bin.weight / all;
     box.incident = share / (kTurn * box.ci.length());
-    // phi lies to both sides.
+    // phi stands for both signs.
     box.density = box.incident / (box.co.length() * 2 * box.phi.length());
     boxes_.push_back(box);
     sum += share;

@@ -1,15 +1,14 @@
-// The pairs of directions of a scene as a distribution: its density, and draws from it.
+// A distribution of pairs of directions, from a scene: its density, and draws from it.
 #pragma once
 
 #include <array>
 #include <random>
 #include <vector>
 
+#include "numeric/direction.h"
 #include "select/scene.h"
 
 namespace gonio::select {
-
-using Direction = std::array<double, 3>;
 
 struct Pair {
   Direction wi, wo;
@@ -17,11 +16,11 @@ struct Pair {
 
 class Distribution {
  public:
-  explicit Distribution(const Scene& scene);  // one that check() has passed
+  explicit Distribution(const Scene& scene);  // which check() has accepted
 
   // Of pairs, per sr^2; the integral over all pairs is 1. An edge between two bins belongs to one
-  // of them, those at the scene's ends to the scene, give or take a rounding of float32. Where wi
-  // or wo is the normal there is no azimuth, and the density is the mean over phi.
+  // of them. The outer edges belong to the scene, within a rounding of float32. Where wi or wo is
+  // the normal there is no azimuth, and the density is the mean over phi.
   [[nodiscard]] double density(const Direction& wi, const Direction& wo) const;
   // Of wi alone, per sr.
   [[nodiscard]] double incident_density(const Direction& wi) const;
@@ -40,8 +39,8 @@ class Distribution {
   // Moves the ends that all boxes have together outwards by `edge`.
   void widen(Interval Box::*interval, double edge);
 
-  std::vector<Box> inside_;    // what belongs to a box
-  std::vector<Box> boxes_;     // what is drawn
+  std::vector<Box> inside_;    // boxes with their tolerance, for densities
+  std::vector<Box> boxes_;     // boxes for draws
   std::vector<double> up_to_;  // the shares of the boxes, summed
 };
 

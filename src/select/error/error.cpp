@@ -25,7 +25,7 @@ double of_metric(const fit::Errors& errors, Metric metric) {
     case Metric::cbrt:
       return errors.cbrt;
     case Metric::delta_e:
-      break;  // picture_error() has it
+      break;  // picture_error() computes it
   }
   return 0;
 }
@@ -66,7 +66,7 @@ double denominator(const fit::Data& data, Metric metric) {
   return metric == Metric::l1 ? sums.measured : sums.weights;
 }
 
-// The block's pairs with what the material itself reflects there, in float32.
+// The block's pairs with the material's own values, in float32.
 fit::Data as_measured(const Material& material, const fit::Data& block) {
   fit::Data data = block;
   data.channels = material.channels();
@@ -124,7 +124,8 @@ double float32_error(const Material& material, const Blocks& blocks, Metric metr
   Ratio sum;
   for (const fit::Data& part : blocks.parts) {
     const fit::Data own = as_measured(material, part);
-    // A material of one channel stands for all; a picture's colours are of all together.
+    // A material of one channel has the same value in all; the colours of a picture need all
+    // channels at once.
     const double shared =
         metric == Metric::delta_e ? 1 : static_cast<double>(part.channels) / own.channels;
     sum.numerator += shared * error_of(material, own, metric).numerator;

@@ -1,4 +1,4 @@
-// Errors that are ratios of sums over pairs, with how far to trust them.
+// Errors that are ratios of sums over pairs, with confidence intervals.
 //
 // Pairs are drawn independently and stand in blocks; the standard error of a ratio, or of the
 // difference of two that were formed on the same blocks, is the delete-one-block jackknife's

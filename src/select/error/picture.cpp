@@ -9,7 +9,7 @@
 namespace gonio::select {
 namespace {
 
-// Of values [channel][pair], at one pair.
+// The colour at one pair, from values [channel][pair].
 template <class T>
 Lab colour_at(const std::vector<T>& values, int channels, std::size_t pairs, std::size_t pair,
               double exposure) {

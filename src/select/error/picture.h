@@ -1,4 +1,4 @@
-// What a rendered picture shows of a material's error.
+// The error of a material as seen in a rendered picture.
 #pragma once
 
 #include "fit/data/data.h"

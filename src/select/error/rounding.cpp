@@ -9,7 +9,7 @@
 namespace gonio::select {
 namespace {
 
-// By way of text: what is written and read again is the same number.
+// Rounds by way of text, so that writing and reading the number gives it again.
 double to_digits(double x, int digits) {
   char text[40];
   std::snprintf(text, sizeof(text), "%.*g", digits, x);

@@ -1,4 +1,4 @@
-// A material's numbers as a person would write them.
+// Rounding of a material's numbers to few decimal digits.
 #pragma once
 
 #include "gonio/engine/material.h"
@@ -7,7 +7,8 @@ namespace gonio::select {
 
 inline constexpr int kFewestDigits = 2, kMostDigits = 9;
 
-// Every number to so many significant decimal digits, within the bounds of its model's table.
+// Rounds every number to so many significant decimal digits, within the bounds of its model's
+// table.
 MaterialSpec rounded(const MaterialSpec& spec, int digits);
 
 }  // namespace gonio::select

@@ -21,11 +21,11 @@ class SocketServer {
   explicit SocketServer(const std::map<std::string, std::string>& materials = {}) {
     std::filesystem::create_directory(folder());
     for (const auto& [name, content] : materials) write_file(folder() / (name + ".json"), content);
-    ServerOptions options;
+    server::ServerOptions options;
     options.addresses = {address()};
     options.materials = folder();
     options.fits_give_way = false;  // to other tests that run beside
-    auto server = Server::start(options);
+    auto server = server::Server::start(options);
     EXPECT_TRUE(server.ok()) << (server ? "" : server.error().message);
     if (server) server_ = std::move(*server);
   }
@@ -36,7 +36,7 @@ class SocketServer {
 
  private:
   gonio::testing::TempFolder temporary_;
-  std::unique_ptr<Server> server_;
+  std::unique_ptr<server::Server> server_;
 };
 
 }  // namespace gonio::test

@@ -51,12 +51,12 @@ inline client::Material slow_form() {
 
 class FitFixture : public ServerFixture {
  protected:
-  void start_with(const std::function<void(ServerOptions&)>& change) {
-    ServerOptions options;
+  void start_with(const std::function<void(server::ServerOptions&)>& change) {
+    server::ServerOptions options;
     options.addresses = {"127.0.0.1:0", "unix:" + (folder_ / "socket").string()};
     change(options);
     server_.reset();  // the addresses are its own
-    auto server = Server::start(options);
+    auto server = server::Server::start(options);
     ASSERT_TRUE(server.ok()) << server.error().message;
     server_ = std::move(server).value();
   }

@@ -18,10 +18,10 @@ class ServerFixture : public ::testing::Test {
   void SetUp() override { start(); }
 
   void start(int threads = 2) {
-    ServerOptions options;
+    server::ServerOptions options;
     options.addresses = {"127.0.0.1:0", "unix:" + (folder_ / "socket").string()};
     options.threads = threads;
-    auto server = Server::start(options);
+    auto server = server::Server::start(options);
     ASSERT_TRUE(server.ok()) << server.error().message;
     server_ = std::move(server).value();
   }
@@ -46,7 +46,7 @@ class ServerFixture : public ::testing::Test {
   }
 
   gonio::testing::TempFolder folder_;
-  std::unique_ptr<Server> server_;
+  std::unique_ptr<server::Server> server_;
 };
 
 }  // namespace gonio::test

@@ -5,6 +5,7 @@
 #include "models/harness/findings.h"
 #include "models/harness/harness.h"
 #include "models/oracle/run.h"
+#include "numeric/direction.h"
 
 namespace gonio::testing {
 namespace {
@@ -42,7 +43,7 @@ Quadrature quadrature_about(const std::array<double, 3>& fixed) {
 
 std::array<double, 3> at_elevation(double degrees) {
   const double theta = (90 - degrees) * std::numbers::pi / 180, phi = 0.4;
-  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+  return spherical(theta, phi);
 }
 
 // The pairs of light from `fixed` with all directions, and the other way about.

@@ -8,7 +8,6 @@ namespace gonio::testing {
 
 using assess::Bin;
 using assess::chi_square_probability;
-using assess::Direction;
 using assess::Integrands;
 using assess::sidak;
 using assess::Subdivision;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@
 
 namespace gonio::testing {
 
-inline constexpr double kDegree = 3.14159265358979323846 / 180;
+inline constexpr double kDegree = std::numbers::pi / 180;
 
 inline Vec<double> at(double theta_degrees, double phi_degrees = 0) {
   const double t = theta_degrees * kDegree, p = phi_degrees * kDegree;

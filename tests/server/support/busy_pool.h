@@ -13,7 +13,7 @@
 #include "server/support/harness.h"
 #include "server/work/background_queue.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 
 class BusyService {
  public:
@@ -68,4 +68,4 @@ class BusyService {
   std::unique_ptr<grpc::Server> server_;
 };
 
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 
 class Daemon {
  public:
@@ -91,4 +91,4 @@ class Daemon {
   std::string seen_;
 };
 
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -15,7 +15,7 @@
 
 #include "server/support/harness.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 
 class Flood {
  public:
@@ -139,4 +139,4 @@ class Flood {
   Result result_;
 };
 
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -17,7 +17,7 @@
 #include "server/server.h"
 #include "wire/status.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 
 struct TestServer {
   explicit TestServer(const ServerOptions& options = {}) {
@@ -125,4 +125,4 @@ std::vector<Out> core_values(const Material& material, const std::vector<In>& wi
   return values;
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

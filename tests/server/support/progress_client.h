@@ -9,7 +9,7 @@
 
 #include "server/support/harness.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 
 template <class Result>
 struct Answer {
@@ -51,4 +51,4 @@ Error refused(TestServer& server, const Request& request) {
   return wire::from_status(answer.status);
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 
 // One message there and at most one back, of a unary or a streaming method.
 inline std::pair<grpc::Status, grpc::ByteBuffer> raw_call(
@@ -33,4 +33,4 @@ inline std::pair<grpc::Status, grpc::ByteBuffer> raw_call(
   return {status, response};
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

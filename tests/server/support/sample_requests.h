@@ -7,7 +7,7 @@
 #include "gonio/engine/sampler.h"
 #include "server/support/harness.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 
 inline std::vector<float> random_directions(std::size_t count, unsigned seed = 1) {
   return random_pairs(count, seed).wi;
@@ -73,4 +73,4 @@ inline grpc::Status integrate(TestServer& server, const v1::IntegrateRequest& re
   return server.stub->Integrate(&context, request, response);
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

@@ -8,7 +8,7 @@
 
 #include "server/support/harness.h"
 
-namespace gonio::testing {
+namespace gonio::server::testing {
 
 template <class Answer>
 struct StreamResultOf {
@@ -70,4 +70,4 @@ inline std::vector<float> joined(const StreamResult& result) {
   return values;
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::server::testing

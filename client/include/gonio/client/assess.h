@@ -7,13 +7,12 @@
 // Thread safety: plain values.
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "gonio/assess/report.h"
 #include "gonio/client/types.h"
 
 namespace gonio::client {
@@ -48,68 +47,14 @@ struct AssessOptions {
   std::optional<std::chrono::milliseconds> deadline;
 };
 
-// One thing that was asked for. `value` is at most `limit` where it passed; of "distribution", at
-// least.
-struct AssessCheck {
-  // "improper", "stray", "error_fast", "error_reference", "reciprocity", "energy_gain",
-  // "energy_loss", "pdf_mass", "weights", "sampled_albedo", "distribution"; of a table "missing",
-  // "missing_region", "zeros", "holes", "outlier", "extreme", too
-  std::string name;
-  double value = 0, limit = 0;
-  bool passed = false;
-  std::string where;  // of the worst: a place's name, an angle, a cell
-  std::string note;   // what was not judged, and why
-};
-
-// A relative error and where it is.
-struct AssessWorst {
-  double error = 0;
-  std::array<double, 3> wi{}, wo{};  // as they were given
-  unsigned channel = 0;
-  double value = 0, truth = 0;  // truth: what it was compared with
-};
-
-// Values at one place, by one way of evaluating.
-struct AssessFindings {
-  std::uint64_t nan = 0, infinite = 0, negative = 0;
-  std::uint64_t stray = 0;    // values of f where there is none
-  std::uint64_t checked = 0;  // values that the error bounds speak of
-  AssessWorst worst;          // of those
-};
-
-struct AssessPlace {
-  std::string name, where, failure;  // "near_mirror"; what is special; what naive arithmetic does
-  std::uint64_t pairs = 0;
-  AssessFindings fast, reference;
-  // The formula as a loop of one's own would have it, in float32 and in float64; none where no such
-  // form is known.
-  std::optional<AssessFindings> naive32, naive64;
-  AssessWorst reciprocity;  // `truth`: the value of the exchanged directions
-};
-
-// Light from one direction.
-struct AssessIncidence {
-  double theta = 0, phi = 0;                    // radians
-  std::vector<double> albedo;                   // of each channel, by quadrature
-  std::vector<double> sampled, standard_error;  // the same by samples
-  double mass = 0, lost = 0;                    // of the pdf, and below the horizon
-  double unsure = 0;                            // of the quadrature
-  double probability = 0;                       // of the samples, by chi-square
-  AssessWorst weight;                           // weight pdf against f cos(theta_o)
-  // Of each channel: how far `sampled` is off, with rare large weights cut, in standard errors that
-  // such weights widen: z or more has a probability of 2 exp(-z^2 / 2) or less.
-  std::vector<double> deviation;
-};
-
-struct Assessment {
-  bool passed = false;  // all checks
-  std::vector<AssessCheck> checks;
-  std::vector<AssessPlace> places;
-  std::vector<AssessIncidence> incidences;
-  int channels = 0;
-  ErrorBound fast, reference;  // what the material states
-  InstructionSet instruction_set = InstructionSet::best;
-  double cpu_seconds = 0;
+// What was found, and the verdict.
+using AssessCheck = gonio::assess::Check;
+using AssessFindings = gonio::assess::Findings;
+using AssessIncidence = gonio::assess::Incidence;
+using AssessPlace = gonio::assess::PlaceReport;
+using AssessWorst = gonio::assess::Worst;
+struct Assessment : gonio::assess::Assessment {
+  InstructionSet instruction_set = InstructionSet::best;  // that it was answered with
   std::string json;  // all of it, as gonio.v1.AssessResponse, its fields named as in the .proto
 };
 

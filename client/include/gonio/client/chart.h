@@ -11,9 +11,9 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "gonio/chart/table.h"
 #include "gonio/client/fit.h"
 
 namespace gonio::client {
@@ -31,10 +31,7 @@ struct ChartOptions {
   std::optional<std::chrono::milliseconds> deadline;
 };
 
-struct ChartProgress {
-  std::string stage;  // "queued", or the part that is being measured
-  double done = 0;    // of all parts, 0 to 1
-};
+using ChartProgress = gonio::chart::Progress;
 
 // Both are called on the thread that called chart().
 struct ChartWatch {
@@ -42,29 +39,10 @@ struct ChartWatch {
   std::function<bool()> stop;  // asked about 20 times a second; true ends it with `cancelled`
 };
 
-struct ChartMachine {
-  std::string processor;
-  unsigned cores = 0;
-  std::vector<std::string> instruction_sets;
-  std::string gonio, compiler, system;
-};
-
-struct ChartColumn {
-  std::string name, unit, meaning;  // no unit: words
-};
-
-// A row is a choice; its cells are words, or numbers: NaN where there is none. 1 in the column
-// "front" marks what no other one beats.
-using ChartCell = std::variant<std::string, double>;
-struct ChartTable {
-  std::string name, title;  // the name is of small letters, digits and '_'
-  std::vector<ChartColumn> columns;
-  std::vector<std::vector<ChartCell>> rows;
-};
-
-struct Chart {
-  ChartMachine machine;
-  std::vector<ChartTable> tables;
-};
+using ChartMachine = gonio::chart::Machine;
+using ChartColumn = gonio::chart::Column;
+using ChartCell = gonio::chart::Cell;
+using ChartTable = gonio::chart::Table;
+using Chart = gonio::chart::Chart;
 
 }  // namespace gonio::client

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,7 @@
 
 #include "gonio/client/fit.h"
 #include "gonio/client/material.h"
+#include "gonio/select/selection.h"
 
 namespace gonio::client {
 
@@ -52,7 +54,7 @@ struct SelectRange {
 // azimuths, pi where wo is on the mirror's side.
 struct SelectBin {
   SelectRange theta_i, theta_o;
-  SelectRange phi{0, 3.14159265358979323846};
+  SelectRange phi{0, std::numbers::pi};
   double weight = 1;  // how often such pairs occur; of all bins, any unit
 };
 
@@ -82,11 +84,7 @@ struct SelectOptions {
   std::optional<std::chrono::milliseconds> deadline;
 };
 
-struct SelectProgress {
-  std::string stage;               // "queued", "reference", "candidates"
-  std::string candidate;           // that is being fitted
-  std::uint64_t done = 0, of = 0;  // candidates
-};
+using SelectProgress = gonio::select::Progress;
 
 // Both are called on the thread that called select().
 struct SelectWatch {
@@ -94,41 +92,11 @@ struct SelectWatch {
   std::function<bool()> stop;  // asked about 20 times a second; true ends it with `cancelled`
 };
 
-// An error by the metric, with one-sided bounds.
-struct SelectError {
-  double value = 0, lower = 0, upper = 0;
-};
-
-struct SelectEntry {
-  std::string name;                  // "lambertian + 2 ggx:schlick"; "reference": itself
-  std::optional<Material> material;  // none for the reference itself
-  std::uint64_t parameters = 0;      // numbers that the fit chose, of all channels
-  double ns = 0;                     // of an evaluation in float32
-  std::uint64_t bytes = 0;
-  double second_moment = 0;  // of a sample's weight; where that is part of the cost
-  double cost = 0;
-  SelectError error;                   // on pairs that it was not fitted to; bounds of 95 % each
-  std::vector<std::string> at_bounds;  // fields of parameters that a bound holds
-  bool on_front = false;               // errs less than all that cost less, by more than chance
-  bool meets = false;                  // its error's bound is below the tolerance
-  std::string remark;                  // why it is not on the front, or not chosen
-};
-
-struct SelectChoice {
-  std::size_t entry = 0;
-  std::optional<Material> material;  // its numbers rounded; none for the reference itself
-  unsigned digits = 0;               // significant decimal ones; 0 where rounding did not do
-  bool needs_float64 = false;        // float32 would miss the tolerance
-  double float32_error = 0;          // what float32 adds at most
-  SelectError error;                 // certified on pairs that had no part in the choice
-  double confidence = 0;             // of its bounds
-  std::uint64_t pairs = 0;           // that certified it
-};
-
-struct Selection {
-  std::vector<SelectEntry> entries;    // by cost
-  std::optional<SelectChoice> choice;  // none: nothing is good enough
-  std::string reason;
+// What was tried, and what is chosen.
+using SelectError = gonio::select::Bounded;
+using SelectEntry = gonio::select::EntryOf<Material>;
+using SelectChoice = gonio::select::ChoiceOf<Material>;
+struct Selection : gonio::select::SelectionOf<Material> {
   std::string json;  // all of it, as gonio.v1.SelectResult, its fields named as in the .proto
 };
 

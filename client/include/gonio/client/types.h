@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include "gonio/base/stated_bound.h"
+
 namespace gonio::client {
 
 enum class Precision : std::uint8_t {
@@ -49,14 +51,7 @@ inline constexpr std::size_t kFlagBits = 8;
 // ...
 std::string_view flag_meaning(std::size_t bit);
 
-// |f - truth| <= relative * truth wherever truth > above and both cosines > cosine. `note` says
-// where that does not hold, or is tighter; empty if it simply holds.
-struct ErrorBound {
-  double relative = 0;
-  double above = 0;
-  double cosine = 0;
-  std::string note;
-};
+using ErrorBound = gonio::StatedBound;
 
 // What an evaluation, or the drawing of samples, cost and what it is worth.
 struct Report {
