@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "assess/judge.h"
 #include "assess/places.h"
+#include "assess/value_comparison.h"
 
 namespace gonio::assess {
 namespace {
@@ -29,11 +29,12 @@ std::vector<double> naive_values(const NaiveMaterial<T>& naive, std::span<const 
 }
 
 template <class T>
-void judge_naive(const std::optional<NaiveMaterial<T>>& naive, std::span<const Pair> pairs,
-                 std::size_t channels, const Judge& judge, std::optional<Findings>& findings) {
+void compare_naive(const std::optional<NaiveMaterial<T>>& naive, std::span<const Pair> pairs,
+                   std::size_t channels, const ValueComparison& comparison,
+                   std::optional<Findings>& findings) {
   if (!naive) return;
   if (!findings) findings.emplace();
-  judge.judge(naive_values(*naive, pairs, channels), *findings);
+  comparison.check(naive_values(*naive, pairs, channels), *findings);
 }
 
 std::vector<Pair> exchanged(std::vector<Pair> pairs) {
@@ -45,16 +46,17 @@ void look(const Subject& subject, const std::vector<Pair>& pairs, PlaceReport& r
   const auto channels = static_cast<std::size_t>(subject.channels);
   const std::vector<Pair> floats = rounded(pairs);
   const Truths of_floats = truths_of(subject, floats, Precision::fast);
-  const Judge judge(floats, of_floats, subject.fast, std::numeric_limits<float>::max());
+  const ValueComparison comparison(floats, of_floats, subject.fast,
+                                   std::numeric_limits<float>::max());
   const auto values = subject.evaluate(floats, Precision::fast);
-  judge.judge(values, report.fast);
-  judge.judge_reciprocity(values, subject.evaluate(exchanged(floats), Precision::fast),
-                          report.reciprocity);
-  judge_naive(subject.naive32, floats, channels, judge, report.naive32);
-  judge_naive(subject.naive64, floats, channels, judge, report.naive64);
+  comparison.check(values, report.fast);
+  comparison.check_reciprocity(values, subject.evaluate(exchanged(floats), Precision::fast),
+                               report.reciprocity);
+  compare_naive(subject.naive32, floats, channels, comparison, report.naive32);
+  compare_naive(subject.naive64, floats, channels, comparison, report.naive64);
   const Truths truths = truths_of(subject, pairs, Precision::reference);
-  Judge(pairs, truths, subject.reference, std::numeric_limits<double>::max())
-      .judge(subject.evaluate(pairs, Precision::reference), report.reference);
+  ValueComparison(pairs, truths, subject.reference, std::numeric_limits<double>::max())
+      .check(subject.evaluate(pairs, Precision::reference), report.reference);
   report.pairs += pairs.size();
 }
 
@@ -62,12 +64,15 @@ void list_errors(const Subject& subject, const std::vector<Pair>& pairs, PlaceEr
   const auto channels = static_cast<std::size_t>(subject.channels);
   const std::vector<Pair> floats = rounded(pairs);
   const Truths of_floats = truths_of(subject, floats, Precision::fast);
-  const Judge judge(floats, of_floats, subject.fast, std::numeric_limits<float>::max());
-  judge.list(subject.evaluate(floats, Precision::fast), errors.fast);
-  if (subject.naive32) judge.list(naive_values(*subject.naive32, floats, channels), errors.naive32);
-  if (subject.naive64) judge.list(naive_values(*subject.naive64, floats, channels), errors.naive64);
+  const ValueComparison comparison(floats, of_floats, subject.fast,
+                                   std::numeric_limits<float>::max());
+  comparison.list(subject.evaluate(floats, Precision::fast), errors.fast);
+  if (subject.naive32)
+    comparison.list(naive_values(*subject.naive32, floats, channels), errors.naive32);
+  if (subject.naive64)
+    comparison.list(naive_values(*subject.naive64, floats, channels), errors.naive64);
   const Truths truths = truths_of(subject, pairs, Precision::reference);
-  Judge(pairs, truths, subject.reference, std::numeric_limits<double>::max())
+  ValueComparison(pairs, truths, subject.reference, std::numeric_limits<double>::max())
       .list(subject.evaluate(pairs, Precision::reference), errors.reference);
 }
 
@@ -84,7 +89,7 @@ void add_errors_at(std::size_t place, const Subject& subject, std::size_t count,
 
 std::optional<PlaceReport> look_at(std::size_t place, const Subject& subject, std::size_t count,
                                    std::uint64_t seed, const std::function<bool()>& stop) {
-  const Place& at = places()[place];
+  const HardPlace& at = places()[place];
   PlaceReport report;
   report.name = at.name, report.where = at.where, report.failure = at.failure;
   for (std::size_t done = 0; done < count; done += kChunk) {

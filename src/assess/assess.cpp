@@ -41,7 +41,7 @@ Result<Report> assess(const Subject& subject, const Options& options,
   }
   if (subject.table && !is_over()) report.table = review(*subject.table);
   if (is_over()) return Error{ErrorCode::cancelled, "the assessment was cancelled", {}, {}, {}};
-  judge(options.limits, report);
+  set_verdict(options.limits, report);
   report.cpu_seconds = cpu_seconds() - start;
   return report;
 }

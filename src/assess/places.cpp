@@ -10,7 +10,7 @@ namespace gonio::assess {
 namespace {
 
 struct Entry {
-  Place place;
+  HardPlace place;
   Pair (*pair)(Random&);  // null: the critical angle, of which a material may have several
   bool above = true;      // both directions are above the horizon
 };
@@ -61,9 +61,9 @@ constexpr std::array kEntries{
 
 }  // namespace
 
-std::span<const Place> places() {
+std::span<const HardPlace> places() {
   static const auto all = [] {
-    std::array<Place, kEntries.size()> places;
+    std::array<HardPlace, kEntries.size()> places;
     std::ranges::transform(kEntries, places.begin(), &Entry::place);
     return places;
   }();

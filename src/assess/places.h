@@ -12,14 +12,14 @@
 
 namespace gonio::assess {
 
-struct Place {
+struct HardPlace {
   std::string_view name;     // "near_mirror"
   std::string_view where;    // "h at 1e-6 to 1 rad from n"
   std::string_view failure;  // what naive arithmetic does there
 };
 
 // All of them.
-std::span<const Place> places();
+std::span<const HardPlace> places();
 
 // About `count` pairs at a place, in float64, the same for the same seed; none where the material
 // has no such place. `place` is an index of places().

@@ -197,7 +197,7 @@ Outcome check_options(const Options& options) {
   return Ok{};
 }
 
-void judge(const Limits& limits, Report& report) {
+void set_verdict(const Limits& limits, Report& report) {
   report.checks.clear();
   Judgement judgement(limits, report);
   judgement.judge_values();

@@ -9,6 +9,6 @@ namespace gonio::assess {
 Outcome check_options(const Options& options);
 
 // Fills report.checks and report.passed from the rest of it.
-void judge(const Limits& limits, Report& report);
+void set_verdict(const Limits& limits, Report& report);
 
 }  // namespace gonio::assess

@@ -6,10 +6,10 @@
 //   form.specular = {{"cook_torrance", {{"fresnel", "dielectric"}}}};
 //   auto result = fit::fit(data, form, {});   // result->material
 //
-// Shape parameters (exponents, roughness, eta, k, mix, sigma) are shared by the channels; colours
-// (rd, rs, f0, scale) are each channel's own. The result is the same for the same data, options and
-// instruction set, whatever the number of threads: one fit runs on the thread that calls it, and
-// any number may run side by side.
+// Shape parameters (exponents, roughness, refractive indices) are shared by the channels; colours
+// and amplitudes are each channel's own; the models' tables say which is which. The result is the
+// same for the same data, options and instruction set, whatever the number of threads: one fit runs
+// on the thread that calls it, and any number may run side by side.
 #pragma once
 
 #include <functional>
@@ -33,7 +33,7 @@ enum class Strategy : std::uint8_t {
 struct Options {
   Objective objective = Objective::l1;
   Strategy strategy = Strategy::automatic;
-  // nu and nv, alpha_x and alpha_y each by themselves, and along which axes (rotation.h), unless
+  // What belongs to the tangents u and v each by itself, and along which axes (rotation.h), unless
   // the form gives a rotation or the strategy is staged.
   bool anisotropic = false;
   bool cosine = true;    // residuals are of f cos(theta_i), or of f

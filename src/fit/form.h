@@ -61,7 +61,7 @@ struct Form {
 };
 
 struct FormOptions {
-  bool anisotropic = false;  // nu and nv, alpha_x and alpha_y each by themselves
+  bool anisotropic = false;  // what belongs to the tangents u and v each by itself
   bool turned = false;       // the rotation is a shape, if any lobe has tangents
 };
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "select/error/distribution.h"
+#include "select/front_builder.h"
 #include "select/select.h"
-#include "select/walk.h"
 
 namespace gonio::select {
 
@@ -25,17 +25,17 @@ class Queue {
   Outcome fill(const Material* reference);
 
   // In ascending order of cost; those of equal cost in ascending order of error.
-  Outcome walk(Walk& walk);
+  Outcome fit_by_cost(FrontBuilder& front);
 
  private:
   void add_reference(const Material& reference);
   Outcome set_prices();
-  Outcome fit_one(Tried& tried);
+  Outcome fit_one(FittedCandidate& candidate);
   [[nodiscard]] double cost_of(const Entry& entry) const;
 
   const Task& task_;
   const Blocks& validation_;
-  std::vector<Tried> waiting_;
+  std::vector<FittedCandidate> waiting_;
   std::size_t done_ = 0;
 };
 

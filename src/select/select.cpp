@@ -1,17 +1,17 @@
 #include "select/select.h"
 
+#include "select/front_builder.h"
 #include "select/queue.h"
-#include "select/walk.h"
 
 namespace gonio::select {
 namespace {
 
 Result<Selection> choose_from(const Material* reference, const Task& task) {
-  Walk walk(task.scene, task.sets);
-  Queue queue(task, walk.validation());
+  FrontBuilder front(task.scene, task.sets);
+  Queue queue(task, front.validation());
   if (auto ok = queue.fill(reference); !ok) return ok.error();
-  if (auto ok = queue.walk(walk); !ok) return ok.error();
-  return std::move(walk).finish();
+  if (auto ok = queue.fit_by_cost(front); !ok) return ok.error();
+  return std::move(front).finish();
 }
 
 template <class Reference>

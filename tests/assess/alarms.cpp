@@ -69,7 +69,7 @@ Alarms alarms_of(const Material& material, std::uint64_t seeds) {
     report.incidences.clear();
     for (const assess::Energy& energy : energies)
       report.incidences.push_back(assess::sample_from(energy, subject, seed));
-    assess::judge({}, report);
+    assess::set_verdict({}, report);
     count_failures(report, alarms);
   }
   return alarms;

@@ -16,7 +16,7 @@ using assess::Pair;
 using assess::places;
 
 std::size_t index_of(std::string_view name) {
-  const auto found = std::ranges::find(places(), name, &assess::Place::name);
+  const auto found = std::ranges::find(places(), name, &assess::HardPlace::name);
   EXPECT_NE(found, places().end()) << name;
   return static_cast<std::size_t>(found - places().begin());
 }
@@ -37,7 +37,7 @@ double mirror_cosine(const Pair& p) {
 
 TEST(Places, HaveNamesOfTheirOwnAndWords) {
   std::set<std::string_view> names;
-  for (const assess::Place& place : places()) {
+  for (const assess::HardPlace& place : places()) {
     EXPECT_TRUE(names.insert(place.name).second) << place.name;
     EXPECT_FALSE(place.where.empty());
     EXPECT_FALSE(place.failure.empty());
@@ -83,7 +83,7 @@ TEST(Places, AreWhatTheySay) {
 }
 
 TEST(Places, AreAboveTheHorizonWhereThatIsNotTheirSubject) {
-  for (const assess::Place& place : places()) {
+  for (const assess::HardPlace& place : places()) {
     const bool above = place.name != "below_horizon" && place.name != "exactly_opposite";
     for (const Pair& p : pairs_at(place.name, 500))
       EXPECT_EQ(std::min(p.wi[2], p.wo[2]) > 0, above) << place.name;

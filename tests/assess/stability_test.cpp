@@ -21,7 +21,7 @@ using assess::PlaceReport;
 constexpr double kFast = 3e-6;  // what the product states
 
 PlaceReport report_at(std::string_view place, const MaterialSpec& spec) {
-  const auto found = std::ranges::find(assess::places(), place, &assess::Place::name);
+  const auto found = std::ranges::find(assess::places(), place, &assess::HardPlace::name);
   const auto index = static_cast<std::size_t>(found - assess::places().begin());
   auto report = assess::look_at(index, subject_of(material_of(spec)), 20'000, 1, {});
   EXPECT_TRUE(report) << place;
@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(Places, Stability, ::testing::Values(sharp_lobes, cance
 // h.k, the cosine of an angle, is above 1 by rounding in a part of all float pairs; 1 - h.k is then
 // negative, and so is its fifth power.
 TEST(StabilityOfFresnel, NaiveCosinesAreAboveOne) {
-  const auto found = std::ranges::find(assess::places(), "same", &assess::Place::name);
+  const auto found = std::ranges::find(assess::places(), "same", &assess::HardPlace::name);
   const auto index = static_cast<std::size_t>(found - assess::places().begin());
   const MaterialSpec spec = alone("cook_torrance", {{"m", number(1)}, {"f0", number(0)}});
   std::size_t above = 0;

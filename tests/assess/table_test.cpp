@@ -41,7 +41,7 @@ template <class Fault>
 assess::Report cells_with(const Fault& fault, const assess::Limits& limits = {}) {
   assess::Report report;
   report.table = review(*table_with(fault));
-  assess::judge(limits, report);
+  assess::set_verdict(limits, report);
   return report;
 }
 
@@ -108,7 +108,7 @@ TEST(AssessTable, GainBesideTheHorizonIsNotJudged) {
   EXPECT_THAT(check_of(report, "energy_gain").note, HasSubstr("89.9 deg, where the horizon cuts"));
   assess::Limits given;
   given.gain = 1e-3;
-  assess::judge(given, report);
+  assess::set_verdict(given, report);
   EXPECT_FALSE(check_of(report, "energy_gain").passed);
   const auto bright = [](const Cell&, const Cosines& cosines, float* f) {
     if (cosines[0] > 0) set(f, 0.5F);

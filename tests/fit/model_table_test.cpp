@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
 #include <vector>
 
 #include "fit/form.h"
@@ -41,18 +43,18 @@ constexpr Parameter kSchlick{.name = "r",
                              .type = ParameterType::colour,
                              .dependence = Dependence::affine};
 
-// A lobe of a model with this table, as make_form gets it from the check of a material.
+// A lobe of a model with this table, as make_form gets it from the check of a material. Models live
+// as long as the program, as those of the registry do: forms point to them.
 class ByHand {
  public:
-  ByHand(Role role, std::vector<Parameter> parameters, std::string prefix = "")
-      : parameters_(std::move(parameters)), prefix_(std::move(prefix)) {
-    model_.name = "toy";
-    model_.role = role;
-    model_.parameters = parameters_;
-    spec_.model = "toy";
-    lobe_.model = &model_;
-    lobe_.kind = 0;
-    for (const Parameter& p : parameters_) {
+  ByHand(Role role, const std::vector<Parameter>& parameters, std::string prefix = "")
+      : made_(kept().emplace_back(std::make_unique<Made>(Made{parameters, {}})).get()),
+        prefix_(std::move(prefix)) {
+    made_->model.name = spec_.model = "toy";
+    made_->model.role = role;
+    made_->model.parameters = made_->parameters;
+    lobe_.model = &made_->model;
+    for (const Parameter& p : made_->parameters) {
       if (p.type != ParameterType::word) lobe_.values.set(p.name, {p.start});
     }
   }
@@ -60,7 +62,7 @@ class ByHand {
     spec_.parameters[name] = std::vector{value};
     lobe_.values.set(name, {value});
   }
-  void tie(std::string_view u, std::string_view v) { model_.along_tangents = {u, v}; }
+  void tie(std::string_view u, std::string_view v) { made_->model.along_tangents = {u, v}; }
   void take_word(std::size_t kind) { lobe_.kind = kind; }
 
   [[nodiscard]] Result<fit::Form> form(const fit::FormOptions& options = {}) const {
@@ -74,9 +76,16 @@ class ByHand {
   }
 
  private:
-  std::vector<Parameter> parameters_;
+  struct Made {
+    std::vector<Parameter> parameters;
+    ModelDescription model;
+  };
+  static std::vector<std::unique_ptr<Made>>& kept() {
+    static std::vector<std::unique_ptr<Made>> all;
+    return all;
+  }
+  Made* made_;
   std::string prefix_;
-  ModelDescription model_;
   LobeSpec spec_;
   CheckedLobe lobe_{};
 };

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fit/cases.h"
-#include "fit/linear/node.h"
+#include "fit/linear/solved_colours.h"
 #include "fit/search/search.h"
 #include "fit/synthetic.h"
 
@@ -15,7 +15,7 @@ namespace {
 std::vector<double> beside(const fit::Problem& problem) {
   std::vector<double> shapes = fit::guess_of(problem.form());
   for (double& u : shapes) u += 0.03;
-  std::vector<double> x = fit::solve_node(problem, shapes, 2).parameters;
+  std::vector<double> x = fit::solve_colours(problem, shapes, 2).parameters;
   for (std::size_t i = shapes.size(); i < x.size(); ++i) x[i] = 0.9 * x[i] + 0.01;
   return x;
 }

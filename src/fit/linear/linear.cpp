@@ -30,6 +30,23 @@ Eigen::VectorXd with_held(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
   return x;
 }
 
+// The coefficient at a bound whose release gains most; -1 if none does.
+Eigen::Index most_gaining(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
+                          const Eigen::VectorXd& x, const std::vector<At>& at) {
+  const Eigen::VectorXd pull = b - A * x;
+  Eigen::Index chosen = -1;
+  double best = 1e-12;
+  for (Eigen::Index i = 0; i < b.size(); ++i) {
+    const At state = at[static_cast<std::size_t>(i)];
+    if (state == At::free || !(A(i, i) > 0)) continue;
+    const double inward = state == At::lower ? pull[i] : -pull[i];
+    const double gain =
+        inward / std::sqrt(A(i, i) * (1e-300 + b.squaredNorm() / A.diagonal().maxCoeff()));
+    if (gain > best) best = gain, chosen = i;
+  }
+  return chosen;
+}
+
 }  // namespace
 
 // Block principal pivoting would be faster on many coefficients; these are few, and the primal
@@ -41,18 +58,7 @@ Eigen::VectorXd solve_bounded(const Eigen::MatrixXd& A, const Eigen::VectorXd& b
   std::vector<At> at(static_cast<std::size_t>(n), At::lower);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
   for (int step = 0; step < 16 * n; ++step) {
-    // The coefficient whose release gains most.
-    const Eigen::VectorXd pull = b - A * x;
-    Eigen::Index chosen = -1;
-    double best = 1e-12;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const At state = at[static_cast<std::size_t>(i)];
-      if (state == At::free || !(A(i, i) > 0)) continue;
-      const double inward = state == At::lower ? pull[i] : -pull[i];
-      const double gain =
-          inward / std::sqrt(A(i, i) * (1e-300 + b.squaredNorm() / A.diagonal().maxCoeff()));
-      if (gain > best) best = gain, chosen = i;
-    }
+    const Eigen::Index chosen = most_gaining(A, b, x, at);
     if (chosen < 0) break;
     at[static_cast<std::size_t>(chosen)] = At::free;
     for (Eigen::Index inner = 0; inner <= n; ++inner) {

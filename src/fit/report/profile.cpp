@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "fit/linear/node.h"
+#include "fit/linear/solved_colours.h"
 #include "fit/search/scan.h"
 
 namespace gonio::fit {
@@ -23,15 +23,15 @@ double held_at(Problem& problem, std::span<const double> best, std::size_t shape
   std::vector<double> start(best.begin(), best.end());
   start[shape] = value;
   const auto shapes = std::span<const double>(start).first(problem.form().shapes.size());
-  const Node node = solve_node(problem, shapes, kPasses);
+  const SolvedColours begin = solve_colours(problem, shapes, kPasses);
   MinimiseOptions options;
   options.iterations = kIterations;
   options.tolerance = 1e-3;
   options.stop = stop;
   options.free.assign(start.size(), true);
   options.free[shape] = false;
-  const Minimum end = minimise_by_stages(problem, node.parameters, kSmooth, options);
-  return std::min(node.cost, problem.cost(end.parameters, true, stop));
+  const Minimum end = minimise_by_stages(problem, begin.parameters, kSmooth, options);
+  return std::min(begin.cost, problem.cost(end.parameters, true, stop));
 }
 
 Profile summarise(const ShapeParameter& shape, std::vector<Point> points) {

@@ -8,9 +8,9 @@
 
 namespace gonio::fit {
 
-// For each shape parameter that bends a lobe without widening it (eta, k, mix, sigma): those of its
-// values over the scan's range that come within 1 % of the best objective. The curvature at the
-// optimum cannot know of another basin; this does.
+// For each shape parameter that bends a lobe without widening it: those of its values over the
+// scan's range that come within 1 % of the best objective. The curvature at the optimum cannot know
+// of another basin; this does.
 std::vector<Profile> profiles_of(const SearchInput& input, std::span<const double> parameters);
 
 }  // namespace gonio::fit

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <array>
 
-#include "fit/search/rotation.h"
+#include "fit/search/finalists.h"
 #include "fit/search/scan.h"
 #include "fit/search/search.h"
 
@@ -22,21 +22,13 @@ namespace {
 constexpr std::array kCoarse{0.1, 0.01};
 constexpr std::array kFine{0.01, 0.001};
 constexpr double kAgree = 1.01;
-constexpr std::size_t kFinalists = 2;   // beside the guess
 constexpr std::size_t kHeldStarts = 2;  // with a shape held at its bound, beside the models' own
-// A descent that ends so much above the best on the scan's pairs is not the best on more pairs.
-constexpr double kHopeless = 1.03;
-// Nor does the last stage of smoothing make up for this.
-constexpr double kBehind = 1.005;
+// A finalist whose objective is above this times that of those before it is not taken through the
+// last stage of smoothing, which lowers an objective by less.
+constexpr double kTooFarBehind = 1.005;
 constexpr int kScanPasses = 3;
 
-struct Candidate {
-  std::vector<double> parameters;
-  double objective;
-  bool given;  // from the caller's guess?
-};
-
-bool less(const Candidate& a, const Candidate& b) { return a.objective < b.objective; }
+bool ends_lower(const DescentEnd& a, const DescentEnd& b) { return a.objective < b.objective; }
 
 // Descents on the scan's pairs.
 class Descents {
@@ -45,9 +37,9 @@ class Descents {
       : input_(input), problem_(problem), search_(search) {}
 
   void from(std::span<const double> shapes, bool given) {
-    from(solve_node(problem_, shapes, kScanPasses), given);
+    from(solve_colours(problem_, shapes, kScanPasses), given);
   }
-  void from(const Node& node, bool given) {
+  void from(const SolvedColours& node, bool given) {
     MinimiseOptions options = minimise_options(input_.watch, "starts", 30, best_);
     options.tolerance = 2e-4;
     const Minimum end = minimise_by_stages(problem_, node.parameters, kCoarse, options);
@@ -58,11 +50,11 @@ class Descents {
     ends_.push_back({end.parameters, objective, given});
   }
   [[nodiscard]] std::vector<double> least() const {
-    return std::min_element(ends_.begin(), ends_.end(), less)->parameters;
+    return std::min_element(ends_.begin(), ends_.end(), ends_lower)->parameters;
   }
   // The ends, the best first.
-  std::vector<Candidate> finish() {
-    std::stable_sort(ends_.begin(), ends_.end(), less);
+  std::vector<DescentEnd> finish() {
+    std::stable_sort(ends_.begin(), ends_.end(), ends_lower);
     const double least = ends_.front().objective;
     for (Start& start : search_.starts) start.agrees = start.objective <= kAgree * least;
     search_.stages.push_back(
@@ -77,7 +69,7 @@ class Descents {
   const double begin_ = cpu_seconds();
   double best_ = 1e300;  // as smoothed
   int iterations_ = 0;
-  std::vector<Candidate> ends_;
+  std::vector<DescentEnd> ends_;
 };
 
 // The shapes that end at a bound, or between it and where a scan looks, each held at that bound.
@@ -112,7 +104,7 @@ void descend_held(const SearchInput& input, const Problem& problem, Descents& de
         continue;
       known.push_back(held);
       more = true;
-      for (const Node& node : scan(problem, kHeldStarts, quiet, held).best)
+      for (const SolvedColours& node : scan(problem, kHeldStarts, quiet, held).best)
         descents.from(node, false);
       std::vector<double> start = start_of(form);
       start[held.shape] = held.at;
@@ -122,63 +114,33 @@ void descend_held(const SearchInput& input, const Problem& problem, Descents& de
 }
 
 // The guess comes last: it has no say in where the others start.
-std::vector<Candidate> descend(const SearchInput& input, const std::vector<Node>& nodes,
-                               Problem& problem, Search& search) {
+std::vector<DescentEnd> descend(const SearchInput& input, const std::vector<SolvedColours>& nodes,
+                                Problem& problem, Search& search) {
   Descents descents(input, problem, search);
-  for (const Node& node : nodes) descents.from(node, false);
+  for (const SolvedColours& node : nodes) descents.from(node, false);
   descents.from(start_of(input.form), false);
   descend_held(input, problem, descents);
   if (has_guess(input.form)) descents.from(guess_of(input.form), true);
   return descents.finish();
 }
 
-// Are the shapes of two ends the same, within a twentieth of what a scan covers? Descents on the
-// scan's pairs are not run to their very end.
-bool same(const Form& form, const Candidate& a, const Candidate& other) {
-  const std::vector<double> b = near_turn(form, a.parameters, other.parameters);
-  for (std::size_t i = 0; i < form.shapes.size(); ++i) {
-    const ShapeParameter& shape = form.shapes[i];
-    const double range =
-        shape.scale.to_search(shape.scan_upper) - shape.scale.to_search(shape.scan_lower);
-    if (std::abs(a.parameters[i] - b[i]) > 0.05 * range) return false;
-  }
-  return true;
-}
-
-// The best distinct ends of all others and, last, the guess's if it is another.
-std::vector<Candidate> finalists(const Form& form, const std::vector<Candidate>& sorted) {
-  std::vector<Candidate> chosen;
-  const auto choose = [&](bool given, std::size_t most) {
-    for (const Candidate& end : sorted) {
-      if (end.given != given || chosen.size() >= most) continue;
-      if (!chosen.empty() && end.objective > kHopeless * chosen.front().objective) continue;
-      const bool known = std::any_of(chosen.begin(), chosen.end(),
-                                     [&](const Candidate& c) { return same(form, c, end); });
-      if (!known) chosen.push_back(end);
-    }
-  };
-  choose(false, kFinalists);
-  choose(true, kFinalists + 1);
-  return chosen;
-}
-
 // One after the other on more pairs, each to its end unless it stays behind those before.
-void refine(const SearchInput& input, const std::vector<Candidate>& from, Search& search) {
+void refine(const SearchInput& input, const std::vector<DescentEnd>& from, Search& search) {
   const double begin = cpu_seconds();
   const Data pairs = subset(input.data, input.options.fit_pairs, input.options.seed);
   Problem problem(input.form, pairs, input.loss, input.options.cosine);
   double best = 1e300, shown = 1e300;
   int iterations = 0;
-  for (const Candidate& candidate : from) {
+  for (const DescentEnd& finalist : from) {
     MinimiseOptions options = minimise_options(input.watch, "fit", 25, shown);
     options.tolerance = 1e-5;
-    Minimum end{candidate.parameters, 0, 0, true};
+    Minimum end{finalist.parameters, 0, 0, true};
     double objective = 1e300;
     for (const double part : kFine) {
       end = minimise_by_stages(problem, end.parameters, {&part, 1}, options);
       objective = problem.cost(end.parameters, true, input.watch.stop);
       iterations += end.iterations;
-      if (objective > kBehind * best || !problem.loss().absolute()) break;
+      if (objective > kTooFarBehind * best || !problem.loss().absolute()) break;
     }
     if (!(objective < best)) continue;
     best = objective;

@@ -113,13 +113,13 @@ Scan scan(const Problem& problem, std::size_t keep, const Watch& watch, std::opt
   double best = kNone;
   for (std::size_t node = 0; node < result.nodes; ++node) {
     if (watch.stop && watch.stop()) return result.stopped = true, result;
-    const double cost = solve_node(problem, shapes_of(node, axes), kPasses).cost;
+    const double cost = solve_colours(problem, shapes_of(node, axes), kPasses).cost;
     costs.push_back(std::isfinite(cost) ? cost : kNone);
     best = std::min(best, costs.back());
     if (watch.progress) watch.progress({"scan", static_cast<int>(node), costs.back(), best});
   }
   for (const std::size_t node : most_distinct(costs, keep, axes))
-    result.best.push_back(solve_node(problem, shapes_of(node, axes), kPasses));
+    result.best.push_back(solve_colours(problem, shapes_of(node, axes), kPasses));
   return result;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fit/fit.h"
-#include "fit/linear/node.h"
+#include "fit/linear/solved_colours.h"
 #include "fit/search/problem.h"
 
 namespace gonio::fit {
@@ -27,7 +27,7 @@ std::vector<std::vector<double>> scan_axes(const Form& form, std::optional<Held>
 // The nodes' objectives, the first axis the slowest, and those to descend from.
 struct Scan {
   std::size_t nodes = 0;
-  std::vector<Node> best;  // the most distinct good ones, the best first
+  std::vector<SolvedColours> best;  // the most distinct good ones, the best first
   bool stopped = false;
 };
 Scan scan(const Problem& problem, std::size_t keep, const Watch& watch,

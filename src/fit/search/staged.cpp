@@ -3,7 +3,7 @@
 // it: where the first stage gives a lobe of the wrong width no height, the second has no gradient.
 #include <array>
 
-#include "fit/linear/node.h"
+#include "fit/linear/solved_colours.h"
 #include "fit/search/search.h"
 
 namespace gonio::fit {
@@ -33,7 +33,7 @@ Search search_staged(const SearchInput& input) {
   Problem problem(form, pairs, input.loss, input.options.cosine);
   double begin = cpu_seconds(), best = 1e300;
   const auto guess = guess_of(form);
-  Node colours = solve_node(problem, guess, kPasses);
+  SolvedColours colours = solve_colours(problem, guess, kPasses);
   search.parameters = colours.parameters;
   search.stages.push_back({"colours", colours.cost, pairs.size(), kPasses, cpu_seconds() - begin});
   const int channels = pairs.channels;

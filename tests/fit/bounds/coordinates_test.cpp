@@ -8,6 +8,7 @@
 #include "fit/bounds/coefficient_bounds.h"
 #include "fit/cases.h"
 #include "fit/synthetic.h"
+#include "gonio/models/description.h"
 
 namespace gonio::testing {
 namespace {
@@ -70,7 +71,9 @@ INSTANTIATE_TEST_SUITE_P(Models, BoundCoordinates, ::testing::ValuesIn(cases()),
 TEST(CoefficientBounds, HaveNoBetterPointInside) {
   const MaterialSpec spec = over_base({"ggx", {{"fresnel", "schlick"}}});
   auto form = *fit::make_form(spec, {});
-  form.lobes[1].bounds.upper.scale = 0.5;
+  Parameter half = *form.lobes[1].colours.scale;
+  half.upper = 0.5;
+  form.lobes[1].colours.scale = &half;
   const fit::CoefficientBounds bounds(form, std::vector<double>{1, 1, 1});
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;

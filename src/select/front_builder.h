@@ -6,7 +6,7 @@
 namespace gonio::select {
 
 // A fitted candidate with its errors.
-struct Tried {
+struct FittedCandidate {
   Entry entry;
   MaterialSpec form;
   std::vector<std::string> parts;
@@ -15,20 +15,20 @@ struct Tried {
   std::vector<Ratio> errors;  // on the second set, by block
 };
 
-class Walk {
+class FrontBuilder {
  public:
-  Walk(const Scene& scene, const Sets& sets);
+  FrontBuilder(const Scene& scene, const Sets& sets);
 
   [[nodiscard]] const Blocks& validation() const { return validation_; }
   // Takes the next candidate, which has been fitted.
-  void take(Tried tried);
+  void add(FittedCandidate candidate);
   [[nodiscard]] bool has_choice() const { return selection_.choice.has_value(); }
   Selection finish() &&;
 
  private:
-  void place_on_front(Tried& tried);
-  void certify(Tried& tried, std::size_t index);
-  [[nodiscard]] Choice rounded_choice(const Tried& tried, std::size_t index) const;
+  void place_on_front(FittedCandidate& candidate);
+  void certify_error(FittedCandidate& candidate, std::size_t index);
+  [[nodiscard]] Choice rounded_choice(const FittedCandidate& candidate, std::size_t index) const;
 
   const Scene& scene_;
   const Sets& sets_;
@@ -36,7 +36,7 @@ class Walk {
   Selection selection_;
   std::vector<Ratio> best_;  // of the front's last
   std::string best_name_;
-  std::optional<Tried> nearest_;  // of those before the choice, the front's last
+  std::optional<FittedCandidate> nearest_;  // of those before the choice, the front's last
   std::size_t attempts_ = 0;
 };
 

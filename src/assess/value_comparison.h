@@ -22,16 +22,17 @@ struct Truths {
 Truths truths_of(const Subject& subject, std::span<const Pair> pairs, Precision precision);
 
 // Compares values of one precision with truth. Its arguments must outlive it.
-class Judge {
+class ValueComparison {
  public:
-  Judge(std::span<const Pair> pairs, const Truths& truths, const ErrorBound& bound, double largest)
+  ValueComparison(std::span<const Pair> pairs, const Truths& truths, const ErrorBound& bound,
+                  double largest)
       : pairs_(pairs), truths_(truths), bound_(bound), largest_(largest) {}
 
-  void judge(std::span<const double> values, Findings& findings) const;
+  void check(std::span<const double> values, Findings& findings) const;
   // Adds all errors to a list.
   void list(std::span<const double> values, ErrorList& errors) const;
   // Compares with the values of the exchanged directions.
-  void judge_reciprocity(std::span<const double> values, std::span<const double> exchanged,
+  void check_reciprocity(std::span<const double> values, std::span<const double> exchanged,
                          Worst& worst) const;
 
  private:

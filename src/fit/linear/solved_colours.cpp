@@ -1,4 +1,4 @@
-#include "fit/linear/node.h"
+#include "fit/linear/solved_colours.h"
 
 #include <algorithm>
 #include <cmath>
@@ -137,17 +137,17 @@ class Channel {
 
 }  // namespace
 
-Node solve_node(const Problem& problem, std::span<const double> shapes, int passes) {
+SolvedColours solve_colours(const Problem& problem, std::span<const double> shapes, int passes) {
   Basis basis;
   const BasisAt at(problem.form(), shapes, false);
   at.evaluate(problem.data(), 0, problem.data().size(), basis);
   const CoefficientBounds bounds(problem.form(), at.peaks());
-  Node node{{shapes.begin(), shapes.end()}, 0};
+  SolvedColours solved{{shapes.begin(), shapes.end()}, 0};
   for (int c = 0; c < problem.data().channels; ++c) {
-    const Eigen::VectorXd x = Channel(problem, basis, c).solve(bounds, passes, node.cost);
-    node.parameters.insert(node.parameters.end(), x.begin(), x.end());
+    const Eigen::VectorXd x = Channel(problem, basis, c).solve(bounds, passes, solved.cost);
+    solved.parameters.insert(solved.parameters.end(), x.begin(), x.end());
   }
-  return node;
+  return solved;
 }
 
 }  // namespace gonio::fit

@@ -1,4 +1,4 @@
-#include "assess/judge.h"
+#include "assess/value_comparison.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,7 @@ Truths truths_of(const Subject& subject, std::span<const Pair> pairs, Precision 
   return truths;
 }
 
-void Judge::judge(std::span<const double> values, Findings& findings) const {
+void ValueComparison::check(std::span<const double> values, Findings& findings) const {
   const std::size_t channels = values.size() / pairs_.size();
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (is_proper(values[i], findings) && is_within(pairs_[i / channels], bound_))
@@ -71,7 +71,7 @@ void Judge::judge(std::span<const double> values, Findings& findings) const {
   }
 }
 
-void Judge::list(std::span<const double> values, ErrorList& errors) const {
+void ValueComparison::list(std::span<const double> values, ErrorList& errors) const {
   const std::size_t channels = values.size() / pairs_.size();
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Pair& pair = pairs_[i / channels];
@@ -86,8 +86,8 @@ void Judge::list(std::span<const double> values, ErrorList& errors) const {
   }
 }
 
-void Judge::judge_reciprocity(std::span<const double> values, std::span<const double> exchanged,
-                              Worst& worst) const {
+void ValueComparison::check_reciprocity(std::span<const double> values,
+                                        std::span<const double> exchanged, Worst& worst) const {
   const std::size_t channels = values.size() / pairs_.size();
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double larger = std::max(values[i], exchanged[i]);
@@ -103,7 +103,8 @@ void Judge::judge_reciprocity(std::span<const double> values, std::span<const do
   }
 }
 
-void Judge::compare(double value, std::size_t i, std::size_t channels, Findings& findings) const {
+void ValueComparison::compare(double value, std::size_t i, std::size_t channels,
+                              Findings& findings) const {
   const long double truth = truths_.f[i], scale = truths_.scale[i];
   if (scale <= bound_.above) {
     findings.stray += value > 1.001 * bound_.above ? 1 : 0;

@@ -1,4 +1,4 @@
-#include "select/walk.h"
+#include "select/front_builder.h"
 
 #include <cmath>
 #include <cstdio>
@@ -21,23 +21,23 @@ std::string number(double x, int digits = 3) {
 
 }  // namespace
 
-Walk::Walk(const Scene& scene, const Sets& sets)
+FrontBuilder::FrontBuilder(const Scene& scene, const Sets& sets)
     : scene_(scene),
       sets_(sets),
       validation_(sets.validation),
       certification_(sets.certification) {}
 
-void Walk::place_on_front(Tried& tried) {
-  Entry& entry = tried.entry;
+void FrontBuilder::place_on_front(FittedCandidate& candidate) {
+  Entry& entry = candidate.entry;
   if (!best_.empty()) {
-    const Estimate difference = estimate_difference(tried.errors, best_);
+    const Estimate difference = estimate_difference(candidate.errors, best_);
     const double degrees = static_cast<double>(best_.size()) - 1;
     const double upper =
         difference.value + difference.standard_error * student_quantile(kFrontConfidence, degrees);
     const auto value = [this](const std::vector<Ratio>& errors) {
       return root_if_square(estimate(errors).value, scene_.metric);
     };
-    const double gain = value(best_) - value(tried.errors);
+    const double gain = value(best_) - value(candidate.errors);
     if (!(upper < 0 && gain > kShare * scene_.tolerance)) {
       entry.remark = "no better than " + best_name_;
       if (!entry.at_bounds.empty()) entry.remark += "; at a bound: " + joined(entry.at_bounds);
@@ -45,19 +45,19 @@ void Walk::place_on_front(Tried& tried) {
     }
   }
   entry.on_front = true;
-  best_ = tried.errors;
+  best_ = candidate.errors;
   best_name_ = entry.name;
 }
 
 // The material rounded to the fewest digits that do not increase its error on the second set.
-Choice Walk::rounded_choice(const Tried& tried, std::size_t index) const {
+Choice FrontBuilder::rounded_choice(const FittedCandidate& candidate, std::size_t index) const {
   Choice choice;
   choice.entry = index;
-  choice.material = tried.entry.material;
-  if (tried.entry.material) {
-    const double most = tried.entry.error.value + kShare * scene_.tolerance;
+  choice.material = candidate.entry.material;
+  if (candidate.entry.material) {
+    const double most = candidate.entry.error.value + kShare * scene_.tolerance;
     for (int digits = kFewestDigits; digits <= kMostDigits; ++digits) {
-      const MaterialSpec spec = rounded(*tried.entry.material, digits);
+      const MaterialSpec spec = rounded(*candidate.entry.material, digits);
       const auto material = Material::create(spec);
       if (!material) continue;
       const auto errors = errors_of(*material, validation_, scene_.metric);
@@ -70,41 +70,41 @@ Choice Walk::rounded_choice(const Tried& tried, std::size_t index) const {
   return choice;
 }
 
-void Walk::certify(Tried& tried, std::size_t index) {
-  Choice choice = rounded_choice(tried, index);
+void FrontBuilder::certify_error(FittedCandidate& candidate, std::size_t index) {
+  Choice choice = rounded_choice(candidate, index);
   const Material material =
-      choice.digits > 0 ? *Material::create(*choice.material) : *tried.material;
+      choice.digits > 0 ? *Material::create(*choice.material) : *candidate.material;
   choice.confidence = 1 - (1 - scene_.confidence) * std::exp2(-static_cast<double>(++attempts_));
   choice.error =
       bounded(errors_of(material, certification_, scene_.metric), scene_.metric, choice.confidence);
   choice.pairs = sets_.certification.size();
   choice.float32_error = float32_error(material, certification_, scene_.metric);
   if (!(choice.error.upper < scene_.tolerance)) {
-    tried.entry.remark = "its certificate failed: at most " + number(choice.error.upper);
+    candidate.entry.remark = "its certificate failed: at most " + number(choice.error.upper);
     return;
   }
   choice.needs_float64 = !(choice.error.upper + choice.float32_error < scene_.tolerance);
   selection_.choice = std::move(choice);
 }
 
-void Walk::take(Tried tried) {
+void FrontBuilder::add(FittedCandidate candidate) {
   const std::size_t index = selection_.entries.size();
-  Entry& entry = tried.entry;
-  entry.error = bounded(tried.errors, scene_.metric, kWorthTrying);
+  Entry& entry = candidate.entry;
+  entry.error = bounded(candidate.errors, scene_.metric, kWorthTrying);
   entry.meets = entry.error.upper < scene_.tolerance;
-  place_on_front(tried);
+  place_on_front(candidate);
   if (!has_choice()) {
     // An anisotropic candidate that errs less only by chance is not chosen.
-    if (entry.meets && (entry.on_front || !tried.anisotropic)) certify(tried, index);
+    if (entry.meets && (entry.on_front || !candidate.anisotropic)) certify_error(candidate, index);
     if (!has_choice()) {
       if (entry.remark.empty()) entry.remark = "misses the tolerance";
-      if (entry.on_front) nearest_ = tried;
+      if (entry.on_front) nearest_ = candidate;
     }
   }
   selection_.entries.push_back(std::move(entry));
 }
 
-Selection Walk::finish() && {
+Selection FrontBuilder::finish() && {
   const Selection& found = selection_;
   std::string why;
   if (nearest_) {

@@ -8,13 +8,13 @@
 
 namespace gonio::fit {
 
-struct Node {
+struct SolvedColours {
   std::vector<double> parameters;  // the shapes given, and the coefficients found
   double cost = 0;                 // of the exact objective
 };
 
 // For each channel, `passes` least squares problems, each solved exactly within the coefficients'
 // bounds, with the weights that the last one's residuals ask for.
-Node solve_node(const Problem& problem, std::span<const double> shapes, int passes);
+SolvedColours solve_colours(const Problem& problem, std::span<const double> shapes, int passes);
 
 }  // namespace gonio::fit
