@@ -88,6 +88,7 @@ std::string models_table(const client::Catalogue& catalogue, const std::string& 
 
 std::string values_cell(const client::ParameterInfo& parameter) {
   if (!parameter.words.empty()) return codes(parameter.words);
+  if (parameter.file) return "a file's name";
   std::string text = shortest(parameter.lower) + " to " + shortest(parameter.upper);
   if (parameter.unit != "1") text += " " + parameter.unit;
   if (parameter.colour) text += ", a colour";
@@ -102,8 +103,9 @@ Row parameter_cells(const client::ParameterInfo& parameter) {
     for (const auto& word : parameter.used_with_words) words.push_back(code(word));
     meaning += "; with " + code(parameter.used_with) + " " + joined(words, " or ");
   }
-  const std::string start =
+  std::string start =
       parameter.words.empty() ? shortest(parameter.start) : code(parameter.words.front());
+  if (parameter.file) start = "to be given";
   return {code(parameter.name), values_cell(parameter), start, meaning};
 }
 
