@@ -4,8 +4,10 @@
 #include <array>
 #include <string>
 
+#include "fit/data/data.h"
 #include "fit/fit.h"
 #include "fit/real_data.h"
+#include "fit/report/metrics.h"
 
 namespace gonio::bench {
 

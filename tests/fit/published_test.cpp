@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "fit/data/data.h"
 #include "fit/fit.h"
 #include "fit/real_data.h"
+#include "fit/report/metrics.h"
 #include "measured/pairs.h"
 #include "measured/solid_angle.h"
 
