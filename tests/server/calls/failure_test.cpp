@@ -175,13 +175,14 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-  return {{std::make_exception_ptr(std::bad_variant_access()), grpc::StatusCode::INTERNAL,
-           std::bad_variant_access().what()},
-          {std::make_exception_ptr(std::bad_alloc()), grpc::StatusCode::RESOURCE_EXHAUSTED,
-           std::bad_alloc().what()},
-          {std::make_exception_ptr(std::runtime_error("a cold kettle")), grpc::StatusCode::INTERNAL,
-           "a cold kettle"},
-          {std::make_exception_ptr(1), grpc::StatusCode::INTERNAL, "unknown kind"}};
+  return {
+      {std::make_exception_ptr(std::bad_variant_access()), grpc::StatusCode::INTERNAL,
+       std::bad_variant_access().what()},
+      {std::make_exception_ptr(std::bad_alloc()), grpc::StatusCode::RESOURCE_EXHAUSTED,
+       std::bad_alloc().what()},
+      {std::make_exception_ptr(std::runtime_error("a cold kettle")), grpc::StatusCode::INTERNAL,
+       "a cold kettle"},
+      {std::make_exception_ptr(1), grpc::StatusCode::INTERNAL, "an exception of an unknown kind"}};
 }
 
 TEST_F(Failure, OfABatchEndsItsCallAlone) {
