@@ -6,6 +6,7 @@
 
 #include "fit/fit.h"
 #include "fit/real_data.h"
+#include "fit/report/metrics.h"
 
 namespace gonio::bench {
 

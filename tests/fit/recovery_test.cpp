@@ -66,7 +66,7 @@ TEST_P(RegistryRecovery, GivesEveryNumberBack) {
   std::size_t told = 0;
   for (const fit::ParameterReport& p : report.parameters) {
     const Numbers& numbers = expected[p.field];
-    if (numbers.empty() || !p.determined) continue;
+    if (numbers.empty() || p.undetermined) continue;
     const std::size_t at =
         numbers.size() == 1 || p.channel < 0 ? 0 : static_cast<std::size_t>(p.channel);
     EXPECT_NEAR(p.value, numbers[at], 0.01 * std::max(std::abs(numbers[at]), 0.1))
