@@ -30,7 +30,7 @@ std::vector<Pair> pairs_at(std::string_view name, std::size_t count = 2000) {
   return assess::pairs_at(index_of(name), glass_from_inside(), count, 1);
 }
 
-double length(const std::array<double, 3>& a) { return std::sqrt(dot(a, a)); }
+double length(const std::array<double, 3>& a) { return std::sqrt(gonio::dot(a, a)); }
 double mirror_cosine(const Pair& p) {
   return p.wi[2] * p.wo[2] - p.wi[0] * p.wo[0] - p.wi[1] * p.wo[1];
 }
@@ -65,12 +65,12 @@ TEST(Places, AreWhatTheySay) {
   }
   for (const Pair& p : pairs_at("near_mirror")) EXPECT_GT(mirror_cosine(p), 1 - 1e-4);
   for (const Pair& p : pairs_at("across_mirror")) EXPECT_NEAR(mirror_cosine(p), 0, 1e-12);
-  for (const Pair& p : pairs_at("retro")) EXPECT_GT(dot(p.wi, p.wo), 0.99);
+  for (const Pair& p : pairs_at("retro")) EXPECT_GT(gonio::dot(p.wi, p.wo), 0.99);
   for (const Pair& p : pairs_at("same")) EXPECT_EQ(p.wi, p.wo);
   for (const Pair& p : pairs_at("grazing"))
     EXPECT_LE(std::min(p.wi[2], p.wo[2]), std::sin(10.0001 * 3.14159265 / 180));
   for (const Pair& p : pairs_at("exactly_opposite")) EXPECT_EQ(p.wi[2], -p.wo[2]);
-  for (const Pair& p : pairs_at("opposite")) EXPECT_LT(dot(p.wi, p.wo), -0.999);
+  for (const Pair& p : pairs_at("opposite")) EXPECT_LT(gonio::dot(p.wi, p.wo), -0.999);
   for (const Pair& p : pairs_at("horizon")) {
     EXPECT_GT(std::min(p.wi[2], p.wo[2]), 0);
     EXPECT_LT(std::min(p.wi[2], p.wo[2]), 1e-6);

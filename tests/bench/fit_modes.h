@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "fit/data/data.h"
 #include "fit/fit.h"
 #include "fit/real_data.h"
 #include "fit/report/metrics.h"

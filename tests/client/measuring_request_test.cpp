@@ -32,7 +32,7 @@ TEST(RequestFields, OfAnAssessment) {
   const auto request = client::assess_request(client::Material::model("lambertian"), sent);
   ASSERT_TRUE(request);
   expect_all_set(*request);
-  const assess::Options got = assess_options(*request);
+  const assess::Options got = server::assess_options(*request);
   EXPECT_EQ(got.pairs, sent.pairs);
   EXPECT_EQ(got.seed, sent.seed);
   static_assert(member_count<assess::Options>() == 3, "compare the new one above");

@@ -93,7 +93,7 @@ Check run_check(const Truth& truth, std::uint64_t seed) {
     options.sizes = {1000, 1000, 1000};
     const auto result = select::choose(reference, scene, options);
     if (!result || !result->choice) return std::nullopt;
-    return fit::compare(material_of(result->choice->material), fresh, 0).errors.all.l1;
+    return fit::compare(material_of(*result->choice->material), fresh, 0).errors.all.l1;
   };
   const auto first = error_of_choice(seed);
   if (!first) return {};

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "client/cli/output/numbers.h"
 #include "client/cli/output/json.h"
+#include "client/cli/output/numbers.h"
 
 namespace gonio::cli {
 namespace {

@@ -13,12 +13,12 @@
 #include "client/cli/input/measured_input.h"
 #include "client/cli/output/check_outputs.h"
 #include "client/cli/output/exit_codes.h"
+#include "client/cli/output/json.h"
 #include "client/cli/output/output_file.h"
 #include "client/cli/output/progress.h"
 #include "client/cli/output/terminal.h"
 #include "client/cli/report/fit_page.h"
 #include "client/cli/report/fit_table.h"
-#include "client/cli/output/json.h"
 #include "server/arguments/options.h"
 
 namespace gonio::cli {

@@ -2,13 +2,13 @@
 #include <memory>
 #include <string>
 
-#include "client/cli/report/presets.h"
 #include "client/cli/commands/commands.h"
 #include "client/cli/connection/connection.h"
 #include "client/cli/output/exit_codes.h"
 #include "client/cli/output/output_file.h"
 #include "client/cli/report/markdown.h"
 #include "client/cli/report/model_page.h"
+#include "client/cli/report/presets.h"
 #include "client/cli/tool/known_names.h"
 #include "gonio/base/shown.h"
 #include "server/arguments/options.h"

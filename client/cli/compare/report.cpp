@@ -2,10 +2,10 @@
 
 #include <cstdio>
 
+#include "client/cli/output/json.h"
 #include "client/cli/output/numbers.h"
 #include "client/cli/output/text.h"
 #include "client/cli/report/fit_table.h"
-#include "client/cli/output/json.h"
 
 namespace gonio::cli {
 namespace {

@@ -1,9 +1,9 @@
 #include <cmath>
 #include <utility>
 
+#include "client/cli/output/json.h"
 #include "client/cli/output/numbers.h"
 #include "client/cli/output/result_writer.h"
-#include "client/cli/output/json.h"
 
 namespace gonio::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "fit/bounds/coordinates.h"
-#include "gonio/fit/certificate.h"
 #include "fit/report/material_numbers.h"
+#include "gonio/fit/certificate.h"
 
 namespace gonio::fit {
 

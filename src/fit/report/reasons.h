@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "fit/form.h"
 #include "fit/data/data.h"
+#include "fit/form.h"
 #include "gonio/fit/certificate.h"
 
 namespace gonio::fit {
