@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "gonio/models/description.h"
 #include "numeric/type_list.h"
@@ -103,15 +104,13 @@ struct AshikhminShirley {
   static Shape<S> shape(const ParameterValues<S>& p) {
     using std::sqrt;
     const S nu = p.number("nu"), nv = p.number("nv");
-    return {S(-0.5) * nu, S(-0.5) * nv,
-            sqrt((nu + S(1)) * (nv + S(1))) / S(8 * 3.14159265358979323846)};
+    return {S(-0.5) * nu, S(-0.5) * nv, sqrt((nu + S(1)) * (nv + S(1))) / S(8 * std::numbers::pi)};
   }
 
   template <class S>
   static Channel<S> channel(const ParameterValues<S>& p, int c) {
     const S rd = p.colour("rd", c), rs = p.colour("rs", c), scale = p.colour("scale", c);
-    return {scale * rs, scale * (S(1) - rs),
-            S(28 / (23 * 3.14159265358979323846)) * rd * (S(1) - rs)};
+    return {scale * rs, scale * (S(1) - rs), S(28 / (23 * std::numbers::pi)) * rd * (S(1) - rs)};
   }
 
   template <class N>

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "gonio/models/description.h"
 #include "parts/cosine_power.h"
@@ -40,7 +41,7 @@ struct BlinnPhong {
   static Shape<S> shape(const ParameterValues<S>& p) {
     using std::exp2;
     const S s = p.number("s"), half = S(-0.5) * s;
-    return {half, (s + S(2)) * (s + S(4)) / (S(8 * 3.14159265358979323846) * (exp2(half) + s))};
+    return {half, (s + S(2)) * (s + S(4)) / (S(8 * std::numbers::pi) * (exp2(half) + s))};
   }
 
   template <class N>

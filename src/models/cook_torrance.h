@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "gonio/models/description.h"
@@ -74,7 +75,7 @@ struct CookTorrance::Beckmann {
   template <class S>
   static Shape<S> shape(const ParameterValues<S>& p) {
     const S m = p.number("m");
-    return {S(-1.44269504088896341) / (m * m), S(1) / (S(3.14159265358979323846) * m * m)};
+    return {S(-1.44269504088896341) / (m * m), S(1) / (S(std::numbers::pi) * m * m)};
   }
   template <class N>
   static GONIO_INLINE typename N::Wide exponent(const Shape<typename N::WideScalar>& k,
@@ -103,7 +104,7 @@ struct CookTorrance::CosinePower {
   template <class S>
   static Shape<S> shape(const ParameterValues<S>& p) {
     const S s = p.number("s");
-    return {S(-0.5) * s, (s + S(2)) / S(2 * 3.14159265358979323846)};
+    return {S(-0.5) * s, (s + S(2)) / S(2 * std::numbers::pi)};
   }
   template <class N>
   static GONIO_INLINE typename N::Wide exponent(const Shape<typename N::WideScalar>& k,

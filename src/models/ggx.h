@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "gonio/models/description.h"
 #include "parts/horizon.h"
@@ -46,7 +47,7 @@ struct Ggx {
   static Shape<S> shape(const ParameterValues<S>& p) {
     const S ax = p.number("alpha_x"), ay = p.number("alpha_y");
     return {ax * ax, ay * ay, S(1) / (ax * ax), S(1) / (ay * ay),
-            S(0.5) / (S(3.14159265358979323846) * ax * ay)};
+            S(0.5) / (S(std::numbers::pi) * ax * ay)};
   }
 
   template <class N>

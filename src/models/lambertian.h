@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 
 #include "gonio/models/description.h"
 #include "numeric/type_list.h"
@@ -50,7 +51,7 @@ struct Lambertian {
   }
   template <class S>
   static Channel<S> channel(const ParameterValues<S>& p, int c) {
-    return {p.colour("rd", c) / S(3.14159265358979323846)};
+    return {p.colour("rd", c) / S(std::numbers::pi)};
   }
 
   template <class N>

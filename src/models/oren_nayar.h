@@ -20,6 +20,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "gonio/models/description.h"
@@ -75,7 +76,7 @@ struct OrenNayar {
   template <class S>
   static Channel<S> channel(const ParameterValues<S>& p, int c) {
     const S rd = p.colour("rd", c), sigma = p.number("sigma"), s2 = sigma * sigma;
-    const S once = rd / S(3.14159265358979323846);
+    const S once = rd / S(std::numbers::pi);
     return {once, S(0.17) * once * rd * (s2 / (s2 + S(0.13)))};
   }
 

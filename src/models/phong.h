@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 
 #include "gonio/models/description.h"
 #include "parts/cosine_power.h"
@@ -37,7 +38,7 @@ struct Phong {
   template <class S>
   static Shape<S> shape(const ParameterValues<S>& p) {
     const S s = p.number("s");
-    return {-s, cosine_power::log2_of_zero(s), (s + S(2)) / S(2 * 3.14159265358979323846)};
+    return {-s, cosine_power::log2_of_zero(s), (s + S(2)) / S(2 * std::numbers::pi)};
   }
 
   template <class N>

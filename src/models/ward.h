@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "gonio/models/description.h"
 #include "parts/half_vector_sampling.h"
@@ -65,8 +66,7 @@ struct Ward {
   static Shape<S> shape(const ParameterValues<S>& p) {
     const S ax = p.number("alpha_x"), ay = p.number("alpha_y");
     constexpr double kLog2E = 1.44269504088896341;
-    return {S(-kLog2E) / (ax * ax), S(-kLog2E) / (ay * ay),
-            S(1) / (S(3.14159265358979323846) * ax * ay)};
+    return {S(-kLog2E) / (ax * ax), S(-kLog2E) / (ay * ay), S(1) / (S(std::numbers::pi) * ax * ay)};
   }
 
   template <class N>

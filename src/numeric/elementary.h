@@ -1,6 +1,8 @@
 // Elementary functions of packets. errors.h states their errors; tests/numeric/proofs prove them.
 #pragma once
 
+#include <numbers>
+
 #include "numeric/packet.h"
 #include "numeric/vec.h"
 
@@ -133,7 +135,7 @@ GONIO_INLINE Double<E> first_quadrant_angle(Double<E> y, Double<E> x) {
   static constexpr double kQuick[] = {1, -1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9, -1.0 / 11};
   static constexpr double kExact[] = {1,        -1.0 / 3,  1.0 / 5,  -1.0 / 7,  1.0 / 9, -1.0 / 11,
                                       1.0 / 13, -1.0 / 15, 1.0 / 17, -1.0 / 19, 1.0 / 21};
-  constexpr double kPi = 3.14159265358979323846;
+  constexpr double kPi = std::numbers::pi;
   const D small = min(y, x), large = max(max(y, x), D(0x1p-1000));
   const Mask over1 = large * 0.198912367379658 < small;  // tan(pi/16)
   const Mask over3 = large * 0.668178637919299 < small;  // tan(3 pi/16)

@@ -2,6 +2,8 @@
 // are in errors.h, which tests/numeric/proofs prove.
 #pragma once
 
+#include <numbers>
+
 #include "numeric/elementary.h"
 
 namespace gonio::GONIO_ISA {
@@ -73,7 +75,7 @@ struct Turn {
 template <class T, int kSine, int kCosine>
 GONIO_INLINE Turn<T> half_turn_of(T x, const double (&sine)[kSine],
                                   const double (&cosine)[kCosine]) {
-  const T angle = (x - T(0.5)) * T(3.14159265358979323846), square = angle * angle;
+  const T angle = (x - T(0.5)) * T(std::numbers::pi), square = angle * angle;
   return {polynomial(square, cosine), angle * polynomial(square, sine)};
 }
 // The direction at x half turns from -90 degrees, x in [0, 1).

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 
 #include "gonio/models/description.h"
 #include "numeric/type_list.h"
@@ -66,7 +67,7 @@ struct Toy {
   }
   template <class S>
   static Channel<S> channel(const ParameterValues<S>& p, int c) {
-    return {p.colour("w", c) / S(3.14159265358979323846)};
+    return {p.colour("w", c) / S(std::numbers::pi)};
   }
 
   template <class N>

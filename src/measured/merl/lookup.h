@@ -5,6 +5,8 @@
 // is periodic over half a turn, by reciprocity.
 #pragma once
 
+#include <numbers>
+
 #include "gonio/measured/table.h"
 #include "numeric/inline.h"
 #include "parts/geometry.h"
@@ -20,7 +22,7 @@ struct TablePosition {
 template <class N>
 GONIO_INLINE TablePosition<N> locate(const Geometry<N>& g) {
   using Wide = typename N::Wide;
-  constexpr double kPi = 3.14159265358979323846;
+  constexpr double kPi = std::numbers::pi;
   const Vec3<Wide> h = g.half.h;
   const Vec3<Wide> d = g.wi - g.wo;
   const Wide s = sum_of_products(h.x, h.x, h.y, h.y);
