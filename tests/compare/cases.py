@@ -128,7 +128,7 @@ def mistakes():
 
 
 def served(named):
-    """Through a server of the same build; with a second one, which the other build's server answers."""
+    """Through a server of the same build."""
     for name, material in named:
         common = f"-m {material} --server $LISTEN"
         yield Case("server", name, f"gonio evaluate {common} --pairs {IN}pairs.csv --pdf; gonio sample {common} --wi-file {IN}wi.csv"
