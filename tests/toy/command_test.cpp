@@ -14,9 +14,9 @@ class ToyCommand : public ::testing::Test {
   void SetUp() override {
     write_file(folder_ / "toy.json",
                R"({"model": "toy", "parameters": {"w": [0.6, 0.3, 0.1], "q": 0.2}})");
-    const auto values =
-        run("evaluate -m toy.json --grid theta_i=0:1:7,theta_o=0:1.2:7,phi_o=0:3:5 --with-input -o "
-            "data.csv");
+    const auto values = run(
+        "evaluate -m toy.json --grid theta_i=0:1.2:12,theta_o=0:1.3:12,phi_o=0:3:8 --with-input -o "
+        "data.csv");
     ASSERT_EQ(values.exit_code, 0) << values.err;
   }
   [[nodiscard]] Finished run(const std::string& arguments) const {
@@ -61,7 +61,7 @@ TEST_F(ToyCommand, Select) {
   write_file(folder_ / "scene.json",
              R"({"theta_i": [0, 60], "theta_o": [0, 75], "tolerance": 0.02, "anisotropy": false})");
   const std::string said =
-      out_of("select --scene scene.json --reference toy.json --lobes 1 --all -o chosen.json");
+      out_of("select --scene scene.json --reference data.csv --lobes 1 --all -o chosen.json");
   EXPECT_THAT(said, HasSubstr("toy"));
   EXPECT_THAT(read_file(folder_ / "chosen.json"), HasSubstr("\"toy\""));
 }
