@@ -12,7 +12,7 @@ HALF_OF = "GONIO_INLINE Turn<T> half_turn_of"
 HALF = "GONIO_INLINE Turn<T> half_turn(T x)"
 HALF_FLOAT = "GONIO_INLINE Turn<Float> half_turn"
 TURN = "GONIO_INLINE Turn<T> turn"
-PI = r"(3\.14159265358979323846)"
+PI = r"(std::numbers::pi)"
 
 
 def quadrant(fused, table_name, division):

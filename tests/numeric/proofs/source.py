@@ -4,6 +4,7 @@ Nothing is copied by hand. A proof that transcribes a function names the digest 
 function has no proof until somebody has looked at both.
 """
 import hashlib
+import math
 import re
 import struct
 from fractions import Fraction
@@ -78,7 +79,7 @@ def constant(file, head, pattern):
     found = re.search(pattern, function(file, head))
     if not found:
         raise Failure(f"{file}: '{head}' has no {pattern}")
-    return float(found.group(1))
+    return math.pi if found.group(1) == "std::numbers::pi" else float(found.group(1))
 
 
 def float32(x):
