@@ -58,6 +58,7 @@ void ProgressCall::note(grpc::ByteBuffer progress) {
   progress_.Swap(&progress);
 }
 
+// NOLINTNEXTLINE(bugprone-exception-escape): see its declaration
 void ProgressCall::end(std::optional<grpc::ByteBuffer> result, grpc::Status status) noexcept {
   background_.ended(status);
   {

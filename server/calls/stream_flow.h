@@ -22,6 +22,8 @@ namespace gonio::server {
 
 class StreamFlow : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer> {
  public:
+  ~StreamFlow() override = default;
+
   // Begins to read. Not for constructors: chunks are handled from then on.
   void begin();
 
@@ -34,7 +36,6 @@ class StreamFlow : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBu
 
   StreamFlow(const Backend& backend, grpc::CallbackServerContext& context, const char* method,
              const char* name_of_items);
-  ~StreamFlow() override = default;
 
   // A message that has been read. Each begin_chunk() needs one answer() or lose(), then or later.
   // An error ends the stream once the chunks in flight are answered, as what is thrown does.
