@@ -11,7 +11,8 @@
 
 namespace gonio {
 
-inline constexpr std::size_t kRun = 512;  // pairs that a kernel is given at a time
+inline constexpr std::size_t kRun = 512;   // pairs that a kernel is given at a time
+inline constexpr std::size_t kGrain = 16;  // pairs of the widest packet
 
 // A run of pairs as the kernels take it: separate, contiguous components; the count a multiple of
 // the packet's width.

@@ -29,7 +29,7 @@
 
 namespace gonio {
 
-struct AshikhminShirley {
+struct AshikhminShirley : AimedBy<HalfVectorAim> {
   static constexpr std::array kParameters{
       Parameter{.name = "rd",
                 .meaning = "diffuse colour",
@@ -156,14 +156,6 @@ struct AshikhminShirley {
   // in the place of four), but none that reflects below the horizon. The diffuse term is left to
   // the cosine.
   using Drawn = AshikhminShirley;
-  template <class N>
-  using Aim = HalfVectorAim<N>;
-
-  template <class N>
-  static GONIO_INLINE Aim<N> aim(const Shape<typename N::WideScalar>&, const Geometry<N>& g) {
-    return Aim<N>(g);
-  }
-
   template <class N>
   static GONIO_INLINE typename N::Real pdf(const Shape<typename N::WideScalar>& k, const Stage<N>&,
                                            const Refined<N>& r, const Aim<N>& aim) {

@@ -19,9 +19,8 @@
 
 namespace gonio {
 
-struct BlinnPhong {
-  static constexpr std::array kParameters{cosine_power::kExponent, fresnel::kTerm, fresnel::kF0,
-                                          fresnel::kEta,           fresnel::kK,    kScale};
+struct BlinnPhong : AimedBy<HalfVectorAim> {
+  static constexpr auto kParameters = with_fresnel(cosine_power::kExponent);
   static constexpr ModelDescription kDescription{
       .name = "blinn_phong",
       .summary = "a power of the cosine between normal and half-vector",
@@ -70,14 +69,6 @@ struct BlinnPhong {
   }
 
   // Sampling: half-vectors by (s+1)/(2 pi) (n.h)^s, none that reflects below the horizon.
-  template <class N>
-  using Aim = HalfVectorAim<N>;
-
-  template <class N>
-  static GONIO_INLINE Aim<N> aim(const Shape<typename N::WideScalar>&, const Geometry<N>& g) {
-    return Aim<N>(g);
-  }
-
   template <class N>
   static GONIO_INLINE typename N::Real pdf(const Shape<typename N::WideScalar>& k,
                                            const HalfVector<N>&, const Stage<N>&,

@@ -27,7 +27,7 @@ struct CookTorrance {
   static constexpr std::array<std::string_view, 2> kDistributions{"beckmann", "cosine_power"};
   static constexpr std::array<std::string_view, 1> kBeckmann{"beckmann"},
       kCosinePower{"cosine_power"};
-  static constexpr std::array kParameters{
+  static constexpr auto kParameters = with_fresnel(
       Parameter{.name = "distribution",
                 .meaning = "of the microfacets' normals; if not given, it follows from m and s",
                 .unit = "1",
@@ -41,12 +41,7 @@ struct CookTorrance {
                 .start = 0.3,
                 .scale = Scale::logarithmic,
                 .used_with = {"distribution", kBeckmann}},
-      cosine_power::exponent_used_with({"distribution", kCosinePower}),
-      fresnel::kTerm,
-      fresnel::kF0,
-      fresnel::kEta,
-      fresnel::kK,
-      kScale};
+      cosine_power::exponent_used_with({"distribution", kCosinePower}));
   static constexpr ModelDescription kDescription{
       .name = "cook_torrance",
       .summary = "V-groove microfacets with Beckmann's distribution, or a cosine power",

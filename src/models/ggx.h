@@ -24,9 +24,7 @@
 namespace gonio {
 
 struct Ggx {
-  static constexpr std::array kParameters{
-      roughness::kAlphaX, roughness::kAlphaY, fresnel::kTerm, fresnel::kF0,
-      fresnel::kEta,      fresnel::kK,        kScale};
+  static constexpr auto kParameters = with_fresnel(roughness::kAlphaX, roughness::kAlphaY);
   static constexpr ModelDescription kDescription{
       .name = "ggx",
       .summary = "anisotropic Trowbridge-Reitz microfacets with height-correlated Smith masking",

@@ -17,9 +17,8 @@
 
 namespace gonio {
 
-struct Phong {
-  static constexpr std::array kParameters{cosine_power::kExponent, fresnel::kTerm, fresnel::kF0,
-                                          fresnel::kEta,           fresnel::kK,    kScale};
+struct Phong : AimedBy<MirrorAim> {
+  static constexpr auto kParameters = with_fresnel(cosine_power::kExponent);
   static constexpr ModelDescription kDescription{
       .name = "phong",
       .summary = "a power of the cosine to the mirror direction",
@@ -68,14 +67,6 @@ struct Phong {
   }
 
   // Sampling: (s+1)/(2 pi) (wr.wo)^s, nothing of it below the horizon.
-  template <class N>
-  using Aim = MirrorAim<N>;
-
-  template <class N>
-  static GONIO_INLINE Aim<N> aim(const Shape<typename N::WideScalar>&, const Geometry<N>& g) {
-    return Aim<N>(g);
-  }
-
   template <class N>
   static GONIO_INLINE typename N::Real pdf(const Shape<typename N::WideScalar>& k,
                                            const HalfVector<N>&, const Stage<N>&,

@@ -25,9 +25,7 @@ struct PhongMix {
                                   .lower = 0,
                                   .upper = 1,
                                   .start = 0.5};
-  static constexpr std::array kParameters{
-      cosine_power::kExponent, kMix,        fresnel::kTerm, fresnel::kF0,
-      fresnel::kEta,           fresnel::kK, kScale};
+  static constexpr auto kParameters = with_fresnel(cosine_power::kExponent, kMix);
   static constexpr ModelDescription kDescription{
       .name = "phong_mix",
       .summary = "a power of a mean of Phong's cosine and the half-vector's, not normalised",

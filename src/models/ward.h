@@ -19,7 +19,7 @@
 
 namespace gonio {
 
-struct Ward {
+struct Ward : AimedBy<HalfVectorAim> {
   static constexpr std::array kParameters{Parameter{.name = "rs",
                                                     .meaning = "specular reflectance",
                                                     .unit = "1",
@@ -103,14 +103,6 @@ struct Ward {
   }
 
   // Sampling: half-vectors by the Gaussian of their slopes, none that reflects below the horizon.
-  template <class N>
-  using Aim = HalfVectorAim<N>;
-
-  template <class N>
-  static GONIO_INLINE Aim<N> aim(const Shape<typename N::WideScalar>&, const Geometry<N>& g) {
-    return Aim<N>(g);
-  }
-
   // exp(...) / (pi ax ay (n.h)^3) / (4 h.wi) = exp(...) |H|^2 / (2 pi ax ay Hz^3)
   template <class N>
   static GONIO_INLINE typename N::Real pdf(const Shape<typename N::WideScalar>& k,

@@ -12,6 +12,7 @@
 
 #include "numeric/inline.h"
 #include "numeric/vec.h"
+#include "parts/geometry.h"
 
 namespace gonio {
 
@@ -126,5 +127,17 @@ GONIO_INLINE Along<T> along(const T& v, const T& plus, const T& minus) {
   return {min(absolute(way), select(on_plus, plus, minus) * T(1 - 2.5e-7)),
           select(on_plus, T(1), T(-1))};
 }
+
+// What a model derives from whose pdf needs of a pair an aim of the geometry alone.
+template <template <class> class TheAim>
+struct AimedBy {
+  template <class N>
+  using Aim = TheAim<N>;
+
+  template <class N>
+  static GONIO_INLINE Aim<N> aim(const auto& /*shape*/, const Geometry<N>& g) {
+    return Aim<N>(g);
+  }
+};
 
 }  // namespace gonio

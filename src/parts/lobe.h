@@ -5,6 +5,8 @@
 // the colour scale differ by channel.
 #pragma once
 
+#include <array>
+
 #include "numeric/type_list.h"
 #include "parts/fresnel.h"
 #include "parts/geometry.h"
@@ -20,6 +22,12 @@ inline constexpr Parameter kScale{.name = "scale",
                                   .start = 1,
                                   .type = ParameterType::colour,
                                   .quantity = Quantity::amplitude};
+
+// The table of a microfacet model: its own parameters, then those of Fresnel's term and the scale.
+template <class... Own>
+constexpr std::array<Parameter, sizeof...(Own) + 5> with_fresnel(const Own&... own) {
+  return {own..., fresnel::kTerm, fresnel::kF0, fresnel::kEta, fresnel::kK, kScale};
+}
 
 template <class Model, class Fresnel>
 struct Lobe {

@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::size_t kScratchValues = 8192;  // a kernel's block of the most channels
 constexpr std::size_t kAlignment = 64;
-constexpr std::size_t kGrain = 16;           // pairs of the widest packet
 constexpr std::size_t kSmallestTile = 1024;  // pairs worth handing to another thread that is awake
 constexpr std::size_t kBriefPairs = 12'000;  // done within the time that waking a thread takes
 

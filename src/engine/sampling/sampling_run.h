@@ -18,7 +18,6 @@ inline constexpr std::size_t kScratchValues =
 // Samples in a run, at most. The memory of the next run comes while one is computed: the sooner
 // that is over, the less is waited for, where a batch is more than the second-level cache holds.
 inline constexpr std::size_t kCachedRun = 128, kUncachedRun = 64, kCachedBatch = 16'384;
-inline constexpr std::size_t kGrain = 16;  // pairs of the widest packet
 
 template <class In, class Out>
 struct Scratch {
