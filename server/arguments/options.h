@@ -45,7 +45,7 @@ class Option {
 };
 
 // Adds an option that sets `value`. Value: std::string, double, the integers of 32 and 64 bits
-// (unsigned, and signed), or std::optional or std::vector of double, std::vector of std::string.
+// (unsigned, and signed), or std::optional or std::vector of double or std::string.
 template <class Value>
 Option add_option(CLI::App& command, const std::string& names, Value& value,
                   const std::string& help);

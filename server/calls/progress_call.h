@@ -61,7 +61,7 @@ class ProgressCall : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
   void tick();
   void set_alarm();
   void pump(bool progress_is_due);
-  // Counts once. Throws nothing: a mutex that fails ends the server, as nothing could go on.
+  // Counts once. Throws nothing: a mutex that fails ends the process.
   // NOLINTBEGIN(bugprone-exception-escape)
   void end(std::optional<grpc::ByteBuffer> result, grpc::Status status) noexcept;
   void fail(grpc::Status status) noexcept { end(std::nullopt, std::move(status)); }
